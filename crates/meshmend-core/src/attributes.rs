@@ -1,0 +1,298 @@
+//! Attribute layers: a pool of values and, for each vertex, corner or face, which value it uses.
+//!
+//! A seam (one vertex, several texture coordinates) is corners that use different values, and no special case.
+//! Layers are carried through every change in one place, [`PolygonMesh::rebuild`]; a pass never sees them.
+//!
+//! [`PolygonMesh::rebuild`]: crate::PolygonMesh::rebuild
+
+use std::sync::Arc;
+
+/// The use of an element that has no value.
+pub const NO_VALUE: u32 = u32::MAX;
+
+/// Which elements a layer gives values to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Domain {
+    /// One value a vertex.
+    Vertex,
+    /// One value a corner of a face.
+    Corner,
+    /// One value a face.
+    Face,
+}
+
+/// What happens to a layer's values where a change creates a corner, a vertex or a face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carry {
+    /// A created element takes the value of the element that it was created beside.
+    Copy,
+    /// A created element takes the value between those that it was created between; for numbers with a fraction
+    /// only, others are copied.
+    Interpolate,
+    /// A created element has no value.
+    Clear,
+}
+
+/// The values of a layer, in the type in which a file stores them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Signed bytes.
+    I8(Vec<i8>),
+    /// Bytes.
+    U8(Vec<u8>),
+    /// Signed 16-bit integers.
+    I16(Vec<i16>),
+    /// 16-bit integers.
+    U16(Vec<u16>),
+    /// Signed 32-bit integers.
+    I32(Vec<i32>),
+    /// 32-bit integers.
+    U32(Vec<u32>),
+    /// Single-precision numbers.
+    F32(Vec<f32>),
+    /// Double-precision numbers.
+    F64(Vec<f64>),
+    /// Names, as bytes: files need not be UTF-8.
+    Text(Vec<Vec<u8>>),
+    /// Lists of varying length: value `i` is `items[starts[i] .. starts[i + 1]]`.
+    Lists {
+        /// Where each list begins, and one more.
+        starts: Vec<u32>,
+        /// The items of all lists.
+        items: Box<Values>,
+    },
+}
+
+impl Values {
+    /// How many numbers, names or lists there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Values::I8(v) => v.len(),
+            Values::U8(v) => v.len(),
+            Values::I16(v) => v.len(),
+            Values::U16(v) => v.len(),
+            Values::I32(v) => v.len(),
+            Values::U32(v) => v.len(),
+            Values::F32(v) => v.len(),
+            Values::F64(v) => v.len(),
+            Values::Text(v) => v.len(),
+            Values::Lists { starts, .. } => starts.len().saturating_sub(1),
+        }
+    }
+
+    /// Whether there is no value.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether the numbers from `one` and from `other` on are the same to the bit.
+    fn same_bits(&self, one: usize, other: usize, width: usize) -> bool {
+        fn slices<T>(v: &[T], one: usize, other: usize, width: usize, same: impl Fn(&T, &T) -> bool) -> bool {
+            v[one..one + width].iter().zip(&v[other..other + width]).all(|(a, b)| same(a, b))
+        }
+        match self {
+            Values::I8(v) => slices(v, one, other, width, |a, b| a == b),
+            Values::U8(v) => slices(v, one, other, width, |a, b| a == b),
+            Values::I16(v) => slices(v, one, other, width, |a, b| a == b),
+            Values::U16(v) => slices(v, one, other, width, |a, b| a == b),
+            Values::I32(v) => slices(v, one, other, width, |a, b| a == b),
+            Values::U32(v) => slices(v, one, other, width, |a, b| a == b),
+            Values::F32(v) => slices(v, one, other, width, |a, b| a.to_bits() == b.to_bits()),
+            Values::F64(v) => slices(v, one, other, width, |a, b| a.to_bits() == b.to_bits()),
+            Values::Text(v) => slices(v, one, other, width, |a, b| a == b),
+            Values::Lists { starts, items } => (0..width).all(|i| {
+                let range = |at: usize| starts[at + i] as usize..starts[at + i + 1] as usize;
+                let (a, b) = (range(one), range(other));
+                a.len() == b.len() && items.same_bits(a.start, b.start, a.len())
+            }),
+        }
+    }
+
+    /// Appends the weighted mean of some values; says whether the type has fractions, so that it could.
+    fn push_mean(&mut self, parts: &[(usize, f64)], width: usize) -> bool {
+        let mean = |at: &dyn Fn(usize) -> f64, i: usize| -> f64 {
+            parts.iter().map(|&(value, weight)| at(value * width + i) * weight).sum()
+        };
+        match self {
+            Values::F32(v) => {
+                let new: Vec<f32> = (0..width).map(|i| mean(&|at| f64::from(v[at]), i) as f32).collect();
+                v.extend(new);
+                true
+            }
+            Values::F64(v) => {
+                let new: Vec<f64> = (0..width).map(|i| mean(&|at| v[at], i)).collect();
+                v.extend(new);
+                true
+            }
+            _ => false,
+        }
+    }
+}
+
+/// One attribute of the vertices, corners or faces of a mesh.
+///
+/// Value `i` of the pool is `width` consecutive entries of [`values`](Layer::values). Cloning is O(1).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    name: String,
+    domain: Domain,
+    home: Domain,
+    width: usize,
+    carry: Carry,
+    values: Arc<Values>,
+    /// Which value each element uses; absent when element `i` uses value `i`.
+    uses: Option<Arc<Vec<u32>>>,
+    /// For a vertex layer that moved to the corners: the values of the vertices, for those without a corner.
+    vertex_uses: Option<Arc<Vec<u32>>>,
+}
+
+impl Layer {
+    /// A layer in which element `i` uses value `i` of the pool.
+    pub fn direct(
+        name: impl Into<String>,
+        domain: Domain,
+        width: usize,
+        carry: Carry,
+        values: Values,
+    ) -> Self {
+        Layer {
+            name: name.into(),
+            domain,
+            home: domain,
+            width: width.max(1),
+            carry,
+            values: Arc::new(values),
+            uses: None,
+            vertex_uses: None,
+        }
+    }
+
+    /// A layer in which element `i` uses value `uses[i]` of the pool, or none where that is [`NO_VALUE`].
+    pub fn indexed(
+        name: impl Into<String>,
+        domain: Domain,
+        width: usize,
+        carry: Carry,
+        values: Values,
+        uses: Vec<u32>,
+    ) -> Self {
+        Layer { uses: Some(Arc::new(uses)), ..Layer::direct(name, domain, width, carry, values) }
+    }
+
+    /// What the layer is called, such as `texcoord`, `normal`, `color`, `material` or `group`.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Which elements have values now.
+    pub fn domain(&self) -> Domain {
+        self.domain
+    }
+
+    /// Which elements had values as stored: a vertex layer moves to the corners when vertices that differ are
+    /// welded, and returns when no vertex has corners that differ.
+    pub fn home(&self) -> Domain {
+        self.home
+    }
+
+    /// How many entries make one value.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// What created elements get.
+    pub fn carry(&self) -> Carry {
+        self.carry
+    }
+
+    /// The pool: `width` entries a value.
+    pub fn values(&self) -> &Values {
+        &self.values
+    }
+
+    /// How many values the pool holds.
+    pub fn value_count(&self) -> usize {
+        self.values.len() / self.width
+    }
+
+    /// The value that an element uses, by its place in the pool.
+    pub fn value_of(&self, element: usize) -> Option<usize> {
+        match &self.uses {
+            None => Some(element),
+            Some(uses) => uses.get(element).filter(|&&value| value != NO_VALUE).map(|&value| value as usize),
+        }
+    }
+
+    /// Whether element `i` uses value `i`, for each element.
+    pub fn is_direct(&self) -> bool {
+        self.uses.is_none()
+    }
+
+    /// How many elements the layer speaks of.
+    pub fn element_count(&self) -> usize {
+        self.uses.as_ref().map_or_else(|| self.value_count(), |uses| uses.len())
+    }
+
+    /// Whether every use names a value of the pool.
+    pub(crate) fn is_consistent(&self) -> bool {
+        let count = self.value_count();
+        self.values.len().is_multiple_of(self.width)
+            && self.uses.iter().all(|uses| uses.iter().all(|&v| v == NO_VALUE || (v as usize) < count))
+    }
+
+    fn use_of(&self, element: usize) -> u32 {
+        self.value_of(element).map_or(NO_VALUE, |value| value as u32)
+    }
+
+    /// Whether two uses give the same value to the bit.
+    pub(crate) fn same_value(&self, one: u32, other: u32) -> bool {
+        one == other
+            || (one != NO_VALUE
+                && other != NO_VALUE
+                && self.values.same_bits(one as usize * self.width, other as usize * self.width, self.width))
+    }
+
+    /// The layer with other uses over the same pool.
+    pub(crate) fn with_uses(&self, domain: Domain, uses: Vec<u32>) -> Self {
+        Layer { domain, uses: Some(Arc::new(uses)), ..self.clone() }
+    }
+
+    pub(crate) fn with_vertex_uses(self, uses: Vec<u32>) -> Self {
+        Layer { vertex_uses: Some(Arc::new(uses)), ..self }
+    }
+
+    pub(crate) fn without_vertex_uses(self) -> Self {
+        Layer { vertex_uses: None, ..self }
+    }
+
+    /// What a vertex uses: in a vertex layer its own value, in one that moved to the corners what it had before.
+    pub(crate) fn vertex_use(&self, vertex: usize) -> u32 {
+        match (&self.vertex_uses, self.domain) {
+            (Some(uses), _) => uses.get(vertex).copied().unwrap_or(NO_VALUE),
+            (None, Domain::Vertex) => self.use_of(vertex),
+            (None, _) => NO_VALUE,
+        }
+    }
+
+    pub(crate) fn element_use(&self, element: usize) -> u32 {
+        self.use_of(element)
+    }
+
+    /// A use for a created element between some uses, by the layer's carry rule; may add a value to the pool.
+    pub(crate) fn blended(&mut self, parts: &[(u32, f64)]) -> u32 {
+        let first = parts.first().map_or(NO_VALUE, |part| part.0);
+        let all_equal = parts.iter().all(|part| self.same_value(part.0, first));
+        match self.carry {
+            Carry::Clear => NO_VALUE,
+            _ if parts.iter().any(|part| part.0 == NO_VALUE) => NO_VALUE,
+            Carry::Copy => first,
+            Carry::Interpolate if all_equal => first,
+            Carry::Interpolate => {
+                let new = self.value_count() as u32;
+                let parts: Vec<(usize, f64)> =
+                    parts.iter().map(|&(v, weight)| (v as usize, weight)).collect();
+                if Arc::make_mut(&mut self.values).push_mean(&parts, self.width) { new } else { first }
+            }
+        }
+    }
+}

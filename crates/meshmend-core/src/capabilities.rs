@@ -1,0 +1,125 @@
+//! What a kernel holds, and the list of everything in a mesh that lies outside it.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::{
+    Complex, Connectivity, Defect, EdgeClass, EdgeUse, FaceId, Id, VertexClass, distinct_count, edge_class,
+    is_inconsistent, vertex_classes,
+};
+
+/// What a kernel admits, and what it offers beyond the questions that all kernels answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Capabilities {
+    /// Faces that come back to a vertex.
+    pub non_simple_faces: bool,
+    /// Edges with three sides or more.
+    pub non_manifold_edges: bool,
+    /// Vertices that are neither disc nor half-disc.
+    pub non_manifold_vertices: bool,
+    /// Edges both of whose sides run the same way.
+    pub mixed_orientation: bool,
+    /// Faces with more than three corners.
+    pub polygons: bool,
+    /// A vertex's corners come in rotational order instead of ascending.
+    pub ordered_vertex_stars: bool,
+}
+
+impl Capabilities {
+    /// A kernel that holds any complex.
+    pub const PERMISSIVE: Capabilities = Capabilities {
+        non_simple_faces: true,
+        non_manifold_edges: true,
+        non_manifold_vertices: true,
+        mixed_orientation: true,
+        polygons: true,
+        ordered_vertex_stars: false,
+    };
+
+    /// Whether every complex is admitted.
+    pub fn is_permissive(&self) -> bool {
+        self.non_simple_faces
+            && self.non_manifold_edges
+            && self.non_manifold_vertices
+            && self.mixed_orientation
+            && self.polygons
+    }
+}
+
+/// Why a kernel can't hold a mesh: every reason, never only the first.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Refusal {
+    /// The kernel that refuses.
+    pub kernel: &'static str,
+    /// Everything in the mesh that it does not admit, by kind and then by id.
+    pub defects: Vec<Defect>,
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the {} kernel can't hold this mesh:", self.kernel)?;
+        for run in self.defects.chunk_by(|one, other| one.kind() == other.kind()) {
+            write!(f, " {} {} ({});", run.len(), run[0].kind().title(), run[0])?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+/// Everything in a complex that lies outside some capabilities, by kind and then by id.
+///
+/// *Cost*: O(n log d); nothing for a permissive kernel.
+pub fn admission(complex: &Complex, capabilities: &Capabilities) -> Vec<Defect> {
+    if capabilities.is_permissive() {
+        return Vec::new();
+    }
+    let kernel = EdgeUse::assemble(complex);
+    let mut defects = Vec::new();
+    if !capabilities.non_simple_faces {
+        defects.extend(complex.faces().faces().filter_map(|f| non_simple_face(complex, f)));
+    }
+    if !capabilities.polygons {
+        defects.extend(complex.faces().faces().filter_map(|face| {
+            let corners = complex.faces().corner_range(face).len() as u32;
+            (corners > 3).then_some(Defect::PolygonFace { face, corners })
+        }));
+    }
+    if !capabilities.non_manifold_edges {
+        defects.extend(kernel.edges().filter(|&e| edge_class(&kernel, e) == EdgeClass::NonManifold).map(
+            |edge| {
+                let degree = kernel.edge_degree(edge) as u32;
+                Defect::NonManifoldEdge { edge, ends: kernel.edge_ends(edge), degree }
+            },
+        ));
+    }
+    if !capabilities.mixed_orientation {
+        let inconsistent = kernel.edges().filter(|&e| is_inconsistent(&kernel, e));
+        defects
+            .extend(inconsistent.map(|edge| Defect::InconsistentEdge { edge, ends: kernel.edge_ends(edge) }));
+    }
+    if !capabilities.non_manifold_vertices {
+        defects.extend(vertex_classes(&kernel).iter().filter_map(|(vertex, &class)| match class {
+            VertexClass::Pinched { umbrellas, boundary_only } => {
+                Some(Defect::PinchedVertex { vertex, umbrellas, boundary_only })
+            }
+            VertexClass::Singular => Some(Defect::SingularVertex { vertex }),
+            _ => None,
+        }));
+    }
+    defects.sort_by(|one, other| one.kind().cmp(&other.kind()));
+    defects
+}
+
+/// The defect of a face of the complex that comes back to a vertex, naming the first vertex that recurs.
+fn non_simple_face(complex: &Complex, face: FaceId) -> Option<Defect> {
+    let vertices = complex.faces().face_vertices(face);
+    if vertices.len() <= 3 || distinct_count(vertices) == vertices.len() {
+        return None;
+    }
+    let mut places: Vec<_> = vertices.iter().copied().zip(0..).collect::<Vec<(_, u32)>>();
+    places.sort_unstable();
+    let recurs = places.windows(2).filter(|pair| pair[0].0 == pair[1].0).min_by_key(|pair| pair[1].1)?;
+    Some(Defect::NonSimpleFace { face: FaceId::new(face.index()), vertex: recurs[0].0 })
+}

@@ -1,0 +1,324 @@
+//! How a pass describes the mesh that it wants, and the one place that makes it.
+//!
+//! A pass fills a [`Draft`]: the new faces, and where each new face, corner and vertex came from. From that
+//! [`PolygonMesh::rebuild`] makes the mesh, carries all attributes and loose elements along, and returns the
+//! [`Provenance`], so that no pass has attribute code and no record can differ from what was done.
+
+use serde::Serialize;
+use thiserror::Error;
+
+use crate::{
+    CornerId, Counts, Domain, FaceId, FaceTable, Id, Layer, MeshError, NO_VALUE, PolygonMesh, Provenance,
+    Sources, VertexId,
+};
+
+/// Where a created element lies, in terms of the old mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Blend {
+    /// On the side between two neighbouring corners of a face: from + (to − from) · numerator / denominator.
+    Along {
+        /// The corner at which it would lie for numerator 0.
+        from: CornerId,
+        /// The corner at which it would lie for numerator = denominator.
+        to: CornerId,
+        /// How many parts of the way.
+        numerator: u32,
+        /// Of how many parts in all.
+        denominator: u32,
+    },
+    /// At the mean of a face's corners.
+    Inside {
+        /// The face.
+        face: FaceId,
+    },
+}
+
+impl Blend {
+    /// The same place in terms of the mesh before an earlier change, where its elements existed there.
+    pub(crate) fn seen_from_before(self, earlier: &Provenance) -> Option<Blend> {
+        Some(match self {
+            Blend::Along { from, to, numerator, denominator } => {
+                let (from, to) = (earlier.corners.of(from)?, earlier.corners.of(to)?);
+                Blend::Along { from, to, numerator, denominator }
+            }
+            Blend::Inside { face } => Blend::Inside { face: earlier.faces.of(face)? },
+        })
+    }
+
+    /// The corners that it lies between, with their weights.
+    fn parts(self, faces: &FaceTable) -> Vec<(CornerId, f64)> {
+        match self {
+            Blend::Along { from, to, numerator, denominator } => {
+                let share = f64::from(numerator) / f64::from(denominator);
+                vec![(from, 1.0 - share), (to, share)]
+            }
+            Blend::Inside { face } => {
+                let corners = faces.face_corners(face);
+                let share = 1.0 / corners.len() as f64;
+                corners.map(|corner| (corner, share)).collect()
+            }
+        }
+    }
+}
+
+/// A vertex that a pass creates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VertexDraft {
+    /// Its point.
+    pub position: [f64; 3],
+    /// Where that is in terms of the old mesh.
+    pub place: Blend,
+}
+
+/// The mesh that a pass wants, in terms of the one that it was given.
+#[derive(Clone, Debug)]
+pub struct Draft {
+    /// The new faces over the new vertices.
+    pub faces: FaceTable,
+    /// For each new face the old one that it is or is a part of.
+    pub face_sources: Sources<FaceId>,
+    /// For each new corner the old one that it is.
+    pub corner_sources: Sources<CornerId>,
+    /// The new faces that run the other way round than their sources, ascending.
+    pub flipped: Vec<FaceId>,
+    /// For each new vertex the old one whose place and attributes it has. The created ones come last.
+    pub vertex_sources: Sources<VertexId>,
+    /// Where the kept vertices are, if not all of them are where their sources are.
+    pub kept_positions: Option<Vec<[f64; 3]>>,
+    /// The created vertices, in order.
+    pub created_vertices: Vec<VertexDraft>,
+    /// The created corners with the old corners that they lie between, ascending.
+    pub created_corners: Vec<(CornerId, Blend)>,
+    /// For each old vertex the new one that loose elements use instead, where that is not the first new vertex
+    /// whose source it is.
+    pub merged_into: Option<Vec<VertexId>>,
+    /// Whether loose edges and points are left out.
+    pub drop_loose: Loose,
+}
+
+/// Which loose elements a pass leaves out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Loose {
+    /// Leave out the loose edges.
+    pub edges: bool,
+    /// Leave out the loose points.
+    pub points: bool,
+}
+
+/// Why a draft makes no mesh: a mistake of the pass, never of the input.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum DraftError {
+    /// A list has not one entry for each element.
+    #[error("a draft has {found} {what}, but {expected} are needed")]
+    Count {
+        /// Which list.
+        what: &'static str,
+        /// How many entries it has.
+        found: usize,
+        /// How many it needs.
+        expected: usize,
+    },
+    /// A loose element's vertex is no longer there.
+    #[error("a draft drops {0}, which a loose element uses")]
+    LooseVertex(VertexId),
+    /// The parts don't fit together.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+impl Draft {
+    /// A draft that keeps every vertex: the usual start, with new faces over the old vertices.
+    pub fn of_faces(
+        mesh: &PolygonMesh,
+        faces: FaceTable,
+        face_sources: Sources<FaceId>,
+        corner_sources: Sources<CornerId>,
+    ) -> Self {
+        Draft {
+            faces,
+            face_sources,
+            corner_sources,
+            flipped: Vec::new(),
+            vertex_sources: Sources::same(mesh.counts().vertices),
+            kept_positions: None,
+            created_vertices: Vec::new(),
+            created_corners: Vec::new(),
+            merged_into: None,
+            drop_loose: Loose::default(),
+        }
+    }
+}
+
+impl PolygonMesh {
+    /// Makes the mesh that a draft describes, with every attribute and loose element carried along.
+    ///
+    /// A vertex layer whose values differ across vertices that become one moves to the corners, and returns to
+    /// the vertices as soon as no vertex has corners that differ.
+    ///
+    /// # Errors
+    /// When the draft does not fit this mesh; that is a mistake of the pass that made it.
+    ///
+    /// *Cost*: linear in the new elements and the layers.
+    pub fn rebuild(&self, draft: Draft) -> Result<(PolygonMesh, Provenance), DraftError> {
+        check_counts(&draft)?;
+        let positions = self.draft_positions(&draft);
+        let (edges, points) = self.draft_loose(&draft)?;
+        let layers: Vec<Layer> = self.layers().iter().map(|layer| self.carried(layer, &draft)).collect();
+        let kept = draft.vertex_sources.len() - draft.created_vertices.len();
+        let places = draft.created_vertices.iter().enumerate();
+        let provenance = Provenance {
+            before: Counts { ..self.counts() },
+            vertices: draft.vertex_sources,
+            faces: draft.face_sources,
+            corners: draft.corner_sources,
+            flipped: draft.flipped,
+            created: places.map(|(i, v)| (VertexId::new(kept + i), Some(v.place))).collect(),
+        };
+        let mesh =
+            PolygonMesh::new(positions, draft.faces)?.with_loose(edges, points)?.with_layers(layers)?;
+        Ok((mesh.with_metadata(self.metadata().to_vec()), provenance))
+    }
+
+    fn draft_positions(&self, draft: &Draft) -> Vec<[f64; 3]> {
+        let mut positions = match &draft.kept_positions {
+            Some(kept) => kept.clone(),
+            None if draft.vertex_sources.is_same() => self.positions().to_vec(),
+            None => draft.vertex_sources.iter().filter_map(|(_, old)| Some(self.position(old?))).collect(),
+        };
+        positions.extend(draft.created_vertices.iter().map(|v| v.position));
+        positions
+    }
+
+    fn draft_loose(&self, draft: &Draft) -> Result<(Vec<[VertexId; 2]>, Vec<VertexId>), DraftError> {
+        let edges = if draft.drop_loose.edges { &[] } else { self.loose_edges() };
+        let points = if draft.drop_loose.points { &[] } else { self.loose_points() };
+        if edges.is_empty() && points.is_empty() {
+            return Ok((Vec::new(), Vec::new()));
+        }
+        let mut target: Vec<Option<VertexId>> = vec![None; self.counts().vertices];
+        for (new, old) in draft.vertex_sources.iter() {
+            if let Some(slot) = old.map(|o| &mut target[o.index()]) {
+                slot.get_or_insert(new);
+            }
+        }
+        let moved = |v: VertexId| match &draft.merged_into {
+            Some(merged) => merged.get(v.index()).copied().ok_or(DraftError::LooseVertex(v)),
+            None => target[v.index()].ok_or(DraftError::LooseVertex(v)),
+        };
+        let edges =
+            edges.iter().map(|&[a, b]| Ok([moved(a)?, moved(b)?])).collect::<Result<_, DraftError>>()?;
+        let points = points.iter().map(|&v| moved(v)).collect::<Result<_, DraftError>>()?;
+        Ok((edges, points))
+    }
+
+    /// A layer as the draft's mesh has it.
+    fn carried(&self, layer: &Layer, draft: &Draft) -> Layer {
+        match layer.domain() {
+            Domain::Face if draft.face_sources.is_same() => layer.clone(),
+            Domain::Face => {
+                let uses = draft
+                    .face_sources
+                    .iter()
+                    .map(|(_, old)| old.map_or(NO_VALUE, |f| layer.element_use(f.index())));
+                layer.with_uses(Domain::Face, uses.collect())
+            }
+            Domain::Vertex if self.keeps_vertices(draft) => layer.clone(),
+            Domain::Vertex => self.carried_vertex_layer(layer, draft),
+            Domain::Corner if draft.corner_sources.is_same() && layer.home() != Domain::Vertex => {
+                layer.clone()
+            }
+            Domain::Corner => self.carried_corner_layer(layer, draft),
+        }
+    }
+
+    fn keeps_vertices(&self, draft: &Draft) -> bool {
+        draft.vertex_sources.is_same() && draft.vertex_sources.len() == self.counts().vertices
+    }
+
+    /// Stays on the vertices unless some corner's old vertex has another value than the vertex it is at now.
+    fn carried_vertex_layer(&self, layer: &Layer, draft: &Draft) -> Layer {
+        let mut layer = layer.clone();
+        let uses = self.vertex_uses(&mut layer, draft);
+        let old_use =
+            |layer: &Layer, old: CornerId| layer.vertex_use(self.faces().corner_vertex(old).index());
+        let differs = draft.corner_sources.iter().any(|(new, old)| {
+            let at = draft.faces.corner_vertex(new).index();
+            old.is_some_and(|old| !layer.same_value(old_use(&layer, old), uses[at]))
+        });
+        if !differs {
+            return layer.with_uses(Domain::Vertex, uses);
+        }
+        let by_corner = draft.corner_sources.iter().map(|(new, old)| match old {
+            Some(old) => old_use(&layer, old),
+            None => uses[draft.faces.corner_vertex(new).index()],
+        });
+        let by_corner = by_corner.collect();
+        layer.with_uses(Domain::Corner, by_corner).with_vertex_uses(uses)
+    }
+
+    /// What each new vertex uses: its source's value, or for a created one a blend.
+    fn vertex_uses(&self, layer: &mut Layer, draft: &Draft) -> Vec<u32> {
+        let kept = draft.vertex_sources.iter().filter_map(|(_, old)| Some(layer.vertex_use(old?.index())));
+        let mut uses: Vec<u32> = kept.collect();
+        for created in &draft.created_vertices {
+            let parts = created.place.parts(self.faces());
+            let parts: Vec<(u32, f64)> = parts
+                .iter()
+                .map(|&(c, weight)| (layer.vertex_use(self.faces().corner_vertex(c).index()), weight))
+                .collect();
+            uses.push(layer.blended(&parts));
+        }
+        uses
+    }
+
+    fn carried_corner_layer(&self, layer: &Layer, draft: &Draft) -> Layer {
+        let mut layer = layer.clone();
+        let old = draft
+            .corner_sources
+            .iter()
+            .map(|(_, old)| old.map_or(NO_VALUE, |c| layer.element_use(c.index())));
+        let mut uses: Vec<u32> = old.collect();
+        for &(corner, place) in &draft.created_corners {
+            let parts = place.parts(self.faces());
+            let parts: Vec<(u32, f64)> =
+                parts.iter().map(|&(c, weight)| (layer.element_use(c.index()), weight)).collect();
+            uses[corner.index()] = layer.blended(&parts);
+        }
+        if layer.home() != Domain::Vertex {
+            return layer.with_uses(Domain::Corner, uses);
+        }
+        let vertex_uses = self.vertex_uses(&mut layer, draft);
+        settled(layer, uses, vertex_uses, &draft.faces)
+    }
+}
+
+/// A vertex layer that had moved to the corners, back on the vertices if no vertex has corners that differ.
+fn settled(layer: Layer, uses: Vec<u32>, mut vertex_uses: Vec<u32>, faces: &FaceTable) -> Layer {
+    let mut is_set = vec![false; vertex_uses.len()];
+    for corner in faces.corners() {
+        let (v, value) = (faces.corner_vertex(corner).index(), uses[corner.index()]);
+        if is_set[v] && !layer.same_value(vertex_uses[v], value) {
+            return layer.with_uses(Domain::Corner, uses).with_vertex_uses(vertex_uses);
+        }
+        (is_set[v], vertex_uses[v]) = (true, value);
+    }
+    layer.with_uses(Domain::Vertex, vertex_uses).without_vertex_uses()
+}
+
+fn check_counts(draft: &Draft) -> Result<(), DraftError> {
+    let faces = &draft.faces;
+    let created = draft.vertex_sources.iter().filter(|(_, old)| old.is_none()).count();
+    let kept = draft.vertex_sources.len() - created;
+    let needed = [
+        ("face sources", draft.face_sources.len(), faces.face_count()),
+        ("corner sources", draft.corner_sources.len(), faces.corner_count()),
+        ("vertex sources", draft.vertex_sources.len(), faces.vertex_count()),
+        ("created vertices", draft.created_vertices.len(), created),
+        ("kept positions", draft.kept_positions.as_ref().map_or(kept, Vec::len), kept),
+    ];
+    match needed.into_iter().find(|(_, found, expected)| found != expected) {
+        Some((what, found, expected)) => Err(DraftError::Count { what, found, expected }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,152 @@
+//! The canonical numbering of a complex's edges, and which corners use which edge.
+//!
+//! ```text
+//! ends          (v0,v1) (v0,v2) (v1,v2) ...      sorted by (smaller vertex, larger vertex)
+//! corner_edge   c0 → e0   c1 → e2   ...          the side that begins at the corner
+//! edge_corners  e0: c0 c7 | e1: c2 | ...         ascending corners, grouped by edge
+//! ```
+//!
+//! Bytes a triangle of a closed mesh: 12 + 12 + 12 + 6 = 42.
+//!
+//! Building it is what costs, not asking it: sides are bucketed by their smaller vertex, and each small bucket is
+//! sorted by itself. That is several times faster than one sort of all sides while the mesh's numbering is local.
+
+use crate::{Column, CornerId, EdgeId, FaceTable, Id, VertexId};
+
+/// The edges of a table whose every side joins two different vertices.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EdgeTable {
+    ends: Column<EdgeId, [VertexId; 2]>,
+    corner_edge: Column<CornerId, EdgeId>,
+    starts: Vec<u32>,
+    edge_corners: Vec<CornerId>,
+}
+
+impl EdgeTable {
+    /// Numbers the edges of a normalised table.
+    ///
+    /// *Cost*: O(n + Σ d log d) over the buckets' sizes d; four arrays and one temporary of 8 bytes a corner.
+    pub(crate) fn build(faces: &FaceTable) -> Self {
+        let (bucket_starts, sides) = bucket_sides(faces);
+        let corner_count = faces.corner_count();
+        let mut ends = Vec::with_capacity(corner_count / 2 + 1);
+        let mut starts = Vec::with_capacity(corner_count / 2 + 2);
+        let mut corner_edge = Column::filled(EdgeId(0), corner_count);
+        let mut edge_corners = Vec::with_capacity(corner_count);
+        for (low, bucket) in bucket_starts.windows(2).enumerate() {
+            let mut last = None;
+            for &side in &sides[bucket[0] as usize..bucket[1] as usize] {
+                let (high, corner) = (VertexId((side >> 32) as u32), CornerId(side as u32));
+                if last != Some(high) {
+                    last = Some(high);
+                    starts.push(edge_corners.len() as u32);
+                    ends.push([VertexId::new(low), high]);
+                }
+                corner_edge[corner] = EdgeId::new(ends.len() - 1);
+                edge_corners.push(corner);
+            }
+        }
+        starts.push(edge_corners.len() as u32);
+        ends.shrink_to_fit();
+        starts.shrink_to_fit();
+        EdgeTable { ends: ends.into(), corner_edge, starts, edge_corners }
+    }
+
+    /// How many edges there are.
+    pub fn edge_count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Every edge, ascending.
+    pub fn edges(&self) -> impl ExactSizeIterator<Item = EdgeId> + Clone + use<> {
+        (0..self.ends.len()).map(EdgeId::new)
+    }
+
+    /// The two vertices of an edge, the smaller one first.
+    #[inline]
+    pub fn ends(&self, edge: EdgeId) -> [VertexId; 2] {
+        self.ends[edge]
+    }
+
+    /// All edges' ends, by ascending edge.
+    pub fn all_ends(&self) -> &[[VertexId; 2]] {
+        self.ends.values()
+    }
+
+    /// The edge that a corner's side runs along.
+    #[inline]
+    pub fn corner_edge(&self, corner: CornerId) -> EdgeId {
+        self.corner_edge[corner]
+    }
+
+    /// The corners whose sides run along an edge, ascending.
+    #[inline]
+    pub fn edge_corners(&self, edge: EdgeId) -> &[CornerId] {
+        let e = edge.index();
+        &self.edge_corners[self.starts[e] as usize..self.starts[e + 1] as usize]
+    }
+
+    /// Bytes on the heap.
+    pub fn heap_bytes(&self) -> usize {
+        self.ends.heap_bytes()
+            + self.corner_edge.heap_bytes()
+            + self.starts.capacity() * size_of::<u32>()
+            + self.edge_corners.capacity() * size_of::<CornerId>()
+    }
+}
+
+/// All sides as (larger vertex, corner), grouped by smaller vertex and sorted within each group.
+fn bucket_sides(faces: &FaceTable) -> (Vec<u32>, Vec<u64>) {
+    let mut starts = vec![0u32; faces.vertex_count() + 1];
+    for_each_side(faces, |_, from, to| starts[from.min(to).index()] += 1);
+    let mut total = 0;
+    for start in &mut starts {
+        total += std::mem::replace(start, total);
+    }
+    let mut sides = vec![0u64; faces.corner_count()];
+    let mut next = starts.clone();
+    for_each_side(faces, |corner, from, to| {
+        let place = &mut next[from.min(to).index()];
+        sides[*place as usize] = u64::from(from.max(to).0) << 32 | u64::from(corner.0);
+        *place += 1;
+    });
+    for bucket in starts.windows(2) {
+        sides[bucket[0] as usize..bucket[1] as usize].sort_unstable();
+    }
+    (starts, sides)
+}
+
+fn for_each_side(faces: &FaceTable, mut visit: impl FnMut(CornerId, VertexId, VertexId)) {
+    let vertices = faces.corner_vertices();
+    if faces.is_all_triangles() {
+        for (face, corners) in vertices.chunks_exact(3).enumerate() {
+            let [a, b, c] = [corners[0], corners[1], corners[2]];
+            visit(CornerId::new(3 * face), a, b);
+            visit(CornerId::new(3 * face + 1), b, c);
+            visit(CornerId::new(3 * face + 2), c, a);
+        }
+        return;
+    }
+    for face in faces.faces() {
+        let range = faces.corner_range(face);
+        for corner in range.clone() {
+            let next = if corner + 1 == range.end { range.start } else { corner + 1 };
+            visit(CornerId::new(corner), vertices[corner], vertices[next]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_are_numbered_by_their_ends_and_list_ascending_corners() {
+        let corners = [2, 1, 0, 0, 1, 3, 1, 0, 4].map(VertexId).to_vec();
+        let table = EdgeTable::build(&FaceTable::triangles(5, corners).unwrap());
+        let ends: Vec<_> = table.all_ends().iter().map(|e| e.map(|v| v.0)).collect();
+        assert_eq!(ends, [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [1, 3], [1, 4]]);
+        assert_eq!(table.edge_corners(EdgeId(0)), [CornerId(1), CornerId(3), CornerId(6)]);
+        assert_eq!(table.corner_edge(CornerId(7)), EdgeId(3));
+    }
+}

@@ -1,0 +1,340 @@
+//! The faces of a mesh as lists of corners.
+//!
+//! ```text
+//!            f0          f1        f2
+//! starts   0           3         6          10        (absent when every face is a triangle)
+//! corners  v0 v1 v2    v2 v1 v3  v3 v1 v4 v5
+//! ```
+//!
+//! The table is well-formed by construction: every corner names a vertex that exists, and there are fewer than
+//! 2³¹ corners. It is *not* promised to be a surface, or even to have proper faces: a face may have no corner,
+//! or one, or the same vertex twice in a row. What the rest of the library analyses is the [`Complex`] of the
+//! table, in which such faces are set aside.
+//!
+//! [`Complex`]: crate::Complex
+
+use thiserror::Error;
+
+use crate::{CornerId, FaceId, Id, VertexId};
+
+/// A table holds fewer corners (and vertices, and faces) than this.
+pub const MAX_CORNERS: usize = 1 << 31;
+
+/// The faces of a mesh, each a cyclic sequence of vertices: the input of every kernel.
+#[derive(Clone, Debug)]
+pub struct FaceTable {
+    vertex_count: usize,
+    /// Where each face's corners begin, and one more; absent when every face is a triangle.
+    starts: Option<Vec<u32>>,
+    corners: Vec<VertexId>,
+}
+
+/// Two tables are equal when they hold the same faces, however they are stored.
+impl PartialEq for FaceTable {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertex_count == other.vertex_count
+            && self.corners == other.corners
+            && self.face_count() == other.face_count()
+            && (self.starts == other.starts
+                || self.faces().all(|f| self.corner_range(f) == other.corner_range(f)))
+    }
+}
+
+/// Why a list of faces is no face table.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum FaceTableError {
+    /// A corner names a vertex that does not exist.
+    #[error("face {face} names vertex {vertex}, but there are {vertex_count} vertices")]
+    NoSuchVertex {
+        /// The face, by its place.
+        face: usize,
+        /// The vertex that it names.
+        vertex: u32,
+        /// How many vertices there are.
+        vertex_count: usize,
+    },
+    /// There are more elements than ids.
+    #[error("{count} {what} are more than the {MAX_CORNERS} that a table holds")]
+    TooLarge {
+        /// Which elements.
+        what: &'static str,
+        /// How many of them.
+        count: usize,
+    },
+    /// The starts don't ascend from 0 to the number of corners.
+    #[error("the starts of the faces do not ascend from 0 to {corner_count}")]
+    BadStarts {
+        /// How many corners there are.
+        corner_count: usize,
+    },
+}
+
+impl FaceTable {
+    /// A table of triangles: three corners a face, no starts stored.
+    ///
+    /// # Errors
+    /// When a corner names a vertex at or beyond `vertex_count`, the number of corners is no multiple of three,
+    /// or there are too many elements.
+    ///
+    /// *Cost*: one pass over the corners.
+    pub fn triangles(vertex_count: usize, corners: Vec<VertexId>) -> Result<Self, FaceTableError> {
+        if !corners.len().is_multiple_of(3) {
+            return Err(FaceTableError::BadStarts { corner_count: corners.len() });
+        }
+        let table = FaceTable { vertex_count, starts: None, corners };
+        table.checked()
+    }
+
+    /// A table of faces of any size: face `f` has the corners `starts[f] .. starts[f + 1]`.
+    ///
+    /// ```
+    /// # use meshmend_core::{FaceTable, VertexId};
+    /// let corners = [0, 1, 2, 2, 1, 3, 4].map(VertexId).to_vec();
+    /// let table = FaceTable::polygons(5, vec![0, 3, 7], corners)?;
+    /// assert_eq!(table.face_count(), 2);
+    /// # Ok::<(), meshmend_core::FaceTableError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When a corner names a vertex at or beyond `vertex_count`, the starts do not ascend from 0 to the number
+    /// of corners, or there are too many elements.
+    ///
+    /// *Cost*: one pass over starts and corners; the starts are dropped when every face is a triangle.
+    pub fn polygons(
+        vertex_count: usize,
+        starts: Vec<u32>,
+        corners: Vec<VertexId>,
+    ) -> Result<Self, FaceTableError> {
+        let ascend = starts.windows(2).all(|pair| pair[0] <= pair[1]);
+        let ends = starts.first() == Some(&0) && starts.last().map(|&s| s as usize) == Some(corners.len());
+        if !ascend || !ends {
+            return Err(FaceTableError::BadStarts { corner_count: corners.len() });
+        }
+        let all_triangles = starts.windows(2).all(|pair| pair[1] - pair[0] == 3);
+        let starts = if all_triangles { None } else { Some(starts) };
+        FaceTable { vertex_count, starts, corners }.checked()
+    }
+
+    fn checked(self) -> Result<Self, FaceTableError> {
+        for (what, count) in
+            [("vertices", self.vertex_count), ("corners", self.corners.len()), ("faces", self.face_count())]
+        {
+            if count >= MAX_CORNERS {
+                return Err(FaceTableError::TooLarge { what, count });
+            }
+        }
+        match self.corners.iter().position(|v| v.index() >= self.vertex_count) {
+            None => Ok(self),
+            Some(corner) => Err(FaceTableError::NoSuchVertex {
+                face: self.corner_face(CornerId::new(corner)).index(),
+                vertex: self.corners[corner].0,
+                vertex_count: self.vertex_count,
+            }),
+        }
+    }
+
+    /// A table without a face.
+    pub fn empty(vertex_count: usize) -> Self {
+        FaceTable { vertex_count, starts: None, corners: Vec::new() }
+    }
+
+    /// How many vertices the corners may name; some may be in no face.
+    #[inline]
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// How many faces there are, degenerate ones included.
+    #[inline]
+    pub fn face_count(&self) -> usize {
+        match &self.starts {
+            None => self.corners.len() / 3,
+            Some(starts) => starts.len() - 1,
+        }
+    }
+
+    /// How many corners all faces have together.
+    #[inline]
+    pub fn corner_count(&self) -> usize {
+        self.corners.len()
+    }
+
+    /// Whether every face has exactly three corners.
+    pub fn is_all_triangles(&self) -> bool {
+        self.starts.is_none()
+    }
+
+    /// Every face, ascending.
+    pub fn faces(&self) -> impl DoubleEndedIterator<Item = FaceId> + ExactSizeIterator + Clone + use<> {
+        (0..self.face_count()).map(FaceId::new)
+    }
+
+    /// Every corner, ascending.
+    pub fn corners(&self) -> impl DoubleEndedIterator<Item = CornerId> + ExactSizeIterator + Clone + use<> {
+        (0..self.corners.len()).map(CornerId::new)
+    }
+
+    /// The places of a face's corners in the list of all corners.
+    #[inline]
+    pub fn corner_range(&self, face: FaceId) -> std::ops::Range<usize> {
+        let f = face.index();
+        match &self.starts {
+            None => 3 * f..3 * f + 3,
+            Some(starts) => starts[f] as usize..starts[f + 1] as usize,
+        }
+    }
+
+    /// The corners of a face, in order.
+    #[inline]
+    pub fn face_corners(
+        &self,
+        face: FaceId,
+    ) -> impl DoubleEndedIterator<Item = CornerId> + ExactSizeIterator + Clone + use<> {
+        self.corner_range(face).map(CornerId::new)
+    }
+
+    /// The vertices of a face, in order, as a slice of the table.
+    #[inline]
+    pub fn face_vertices(&self, face: FaceId) -> &[VertexId] {
+        &self.corners[self.corner_range(face)]
+    }
+
+    /// The vertices of all corners, face after face.
+    #[inline]
+    pub fn corner_vertices(&self) -> &[VertexId] {
+        &self.corners
+    }
+
+    /// The vertex at a corner.
+    #[inline]
+    pub fn corner_vertex(&self, corner: CornerId) -> VertexId {
+        self.corners[corner.index()]
+    }
+
+    /// The face that a corner belongs to.
+    ///
+    /// *Cost*: constant for triangles, else a search in the starts; for all corners walk the faces instead.
+    pub fn corner_face(&self, corner: CornerId) -> FaceId {
+        match &self.starts {
+            None => FaceId::new(corner.index() / 3),
+            Some(starts) => FaceId::new(starts.partition_point(|&start| start <= corner.0) - 1),
+        }
+    }
+
+    /// The faces' starts and one more, or nothing when every face is a triangle.
+    pub fn starts(&self) -> Option<&[u32]> {
+        self.starts.as_deref()
+    }
+
+    /// Bytes on the heap.
+    pub fn heap_bytes(&self) -> usize {
+        self.corners.capacity() * size_of::<VertexId>()
+            + self.starts.as_ref().map_or(0, |starts| starts.capacity() * size_of::<u32>())
+    }
+}
+
+/// Collects faces one by one; no starts are stored while all of them are triangles.
+#[derive(Clone, Debug, Default)]
+pub struct FaceTableBuilder {
+    starts: Option<Vec<u32>>,
+    corners: Vec<VertexId>,
+    open: usize,
+}
+
+impl FaceTableBuilder {
+    /// Adds a corner to the face that is being built.
+    #[inline]
+    pub fn push_corner(&mut self, vertex: VertexId) {
+        self.corners.push(vertex);
+    }
+
+    /// How many corners have been added, those of the open face included.
+    pub fn corner_count(&self) -> usize {
+        self.corners.len()
+    }
+
+    /// How many faces have been ended.
+    pub fn face_count(&self) -> usize {
+        self.starts.as_ref().map_or(self.open / 3, |starts| starts.len() - 1)
+    }
+
+    /// Ends the face that is being built, however many corners it has.
+    #[inline]
+    pub fn end_face(&mut self) {
+        let end = self.corners.len();
+        if self.starts.is_none() && end - self.open != 3 {
+            self.starts = Some((0..=self.open).step_by(3).map(|start| start as u32).collect());
+        }
+        if let Some(starts) = &mut self.starts {
+            starts.push(end.min(u32::MAX as usize) as u32);
+        }
+        self.open = end;
+    }
+
+    /// Adds a whole face.
+    pub fn push_face(&mut self, vertices: impl IntoIterator<Item = VertexId>) {
+        self.corners.extend(vertices);
+        self.end_face();
+    }
+
+    /// The table over so many vertices.
+    ///
+    /// # Errors
+    /// As [`FaceTable::polygons`].
+    pub fn build(self, vertex_count: usize) -> Result<FaceTable, FaceTableError> {
+        FaceTable { vertex_count, starts: self.starts, corners: self.corners }.checked()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ids(list: &[u32]) -> Vec<VertexId> {
+        list.iter().copied().map(VertexId).collect()
+    }
+
+    #[test]
+    fn starts_are_stored_only_when_needed() {
+        let mut builder = FaceTableBuilder::default();
+        builder.push_face(ids(&[0, 1, 2]));
+        assert!(builder.clone().build(4).unwrap().is_all_triangles());
+        builder.push_face(ids(&[0, 1, 2, 3]));
+        builder.push_face(ids(&[]));
+        let table = builder.build(4).unwrap();
+        assert_eq!(table.starts(), Some(&[0, 3, 7, 7][..]));
+        assert_eq!(table.corner_face(CornerId(6)), FaceId(1));
+        assert_eq!(table.face_vertices(FaceId(2)), &[]);
+    }
+
+    #[test]
+    fn triangles_in_both_storages_are_equal() {
+        let short = FaceTable::triangles(3, ids(&[0, 1, 2])).unwrap();
+        let long = FaceTable::polygons(3, vec![0, 3], ids(&[0, 1, 2])).unwrap();
+        assert_eq!(short, long);
+        assert!(long.is_all_triangles());
+    }
+
+    #[test]
+    fn a_table_with_other_face_bounds_is_another_table() {
+        let one = FaceTable::polygons(6, vec![0, 2, 6], ids(&[0, 1, 2, 3, 4, 5])).unwrap();
+        let other = FaceTable::polygons(6, vec![0, 4, 6], ids(&[0, 1, 2, 3, 4, 5])).unwrap();
+        assert_ne!(one, other);
+    }
+
+    #[test]
+    fn an_unknown_vertex_is_named_with_its_face() {
+        let wrong = FaceTable::polygons(3, vec![0, 0, 3], ids(&[0, 1, 3]));
+        assert_eq!(wrong, Err(FaceTableError::NoSuchVertex { face: 1, vertex: 3, vertex_count: 3 }));
+    }
+
+    #[test]
+    fn starts_must_ascend_to_the_corner_count() {
+        for starts in [vec![], vec![0], vec![1, 3], vec![0, 4, 3], vec![0, 2]] {
+            let wrong = FaceTable::polygons(3, starts, ids(&[0, 1, 2]));
+            assert_eq!(wrong, Err(FaceTableError::BadStarts { corner_count: 3 }));
+        }
+        let two = FaceTable::triangles(3, ids(&[0, 1]));
+        assert_eq!(two, Err(FaceTableError::BadStarts { corner_count: 2 }));
+    }
+}

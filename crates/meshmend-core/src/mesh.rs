@@ -1,0 +1,218 @@
+//! A mesh as it was read: positions, faces, loose elements and attributes.
+
+use std::sync::{Arc, OnceLock};
+
+use thiserror::Error;
+
+use crate::{Complex, Counts, Domain, FaceTable, Id, Layer, VertexId};
+
+/// An immutable polygon mesh. Cloning is O(1); every change makes a new mesh.
+///
+/// ```
+/// # use meshmend_core::{FaceTable, PolygonMesh, VertexId};
+/// let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec())?;
+/// let mesh = PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], faces)?;
+/// assert_eq!(mesh.complex().edges().edge_count(), 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct PolygonMesh {
+    positions: Arc<Vec<[f64; 3]>>,
+    faces: Arc<FaceTable>,
+    loose_edges: Arc<Vec<[VertexId; 2]>>,
+    loose_points: Arc<Vec<VertexId>>,
+    layers: Arc<Vec<Layer>>,
+    metadata: Arc<Vec<Metadata>>,
+    complex: Arc<OnceLock<Complex>>,
+}
+
+/// Something a file says of itself as a whole: a comment, a material library, the name of a solid.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Metadata {
+    /// What kind of statement it is, such as `comment`, `mtllib` or `solid`.
+    pub key: String,
+    /// What it says, as bytes: files need not be UTF-8.
+    pub value: Vec<u8>,
+}
+
+/// Why parts don't make a mesh.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum MeshError {
+    /// The faces were made for another number of vertices.
+    #[error("the faces are over {faces} vertices, but there are {positions} positions")]
+    VertexCount {
+        /// What the face table says.
+        faces: usize,
+        /// How many positions there are.
+        positions: usize,
+    },
+    /// A loose element names a vertex that does not exist.
+    #[error("{what} {index} names vertex {vertex}, but there are {vertex_count} vertices")]
+    NoSuchVertex {
+        /// `loose edge` or `loose point`.
+        what: &'static str,
+        /// Its place in its list.
+        index: usize,
+        /// The vertex that it names.
+        vertex: u32,
+        /// How many vertices there are.
+        vertex_count: usize,
+    },
+    /// An attribute layer is not for this mesh.
+    #[error("the layer `{name}` is for {found} elements, but the mesh has {expected}")]
+    LayerSize {
+        /// The layer's name.
+        name: String,
+        /// How many elements it speaks of.
+        found: usize,
+        /// How many the mesh has.
+        expected: usize,
+    },
+    /// An attribute layer names a value that its pool does not hold.
+    #[error("the layer `{name}` uses values that it does not have")]
+    LayerValues {
+        /// The layer's name.
+        name: String,
+    },
+}
+
+impl PolygonMesh {
+    /// A mesh of positions (one point a vertex, any unit) and faces over them.
+    ///
+    /// # Errors
+    /// When the faces were made for another number of vertices.
+    pub fn new(positions: Vec<[f64; 3]>, faces: FaceTable) -> Result<Self, MeshError> {
+        if faces.vertex_count() != positions.len() {
+            return Err(MeshError::VertexCount { faces: faces.vertex_count(), positions: positions.len() });
+        }
+        Ok(PolygonMesh {
+            positions: Arc::new(positions),
+            faces: Arc::new(faces),
+            loose_edges: Arc::default(),
+            loose_points: Arc::default(),
+            layers: Arc::default(),
+            metadata: Arc::default(),
+            complex: Arc::default(),
+        })
+    }
+
+    /// The mesh with these loose edges and points in place of its own.
+    ///
+    /// # Errors
+    /// When one of them names a vertex that does not exist.
+    pub fn with_loose(self, edges: Vec<[VertexId; 2]>, points: Vec<VertexId>) -> Result<Self, MeshError> {
+        let vertex_count = self.positions.len();
+        let outside = |v: &VertexId| v.index() >= vertex_count;
+        let wrong = |what, index, vertex: VertexId| {
+            Err(MeshError::NoSuchVertex { what, index, vertex: vertex.0, vertex_count })
+        };
+        for (index, ends) in edges.iter().enumerate() {
+            if let Some(&vertex) = ends.iter().find(|v| outside(v)) {
+                return wrong("loose edge", index, vertex);
+            }
+        }
+        if let Some(index) = points.iter().position(|v| outside(v)) {
+            return wrong("loose point", index, points[index]);
+        }
+        Ok(PolygonMesh { loose_edges: Arc::new(edges), loose_points: Arc::new(points), ..self })
+    }
+
+    /// The mesh with these attribute layers in place of its own.
+    ///
+    /// # Errors
+    /// When a layer is for another number of elements, or uses values that it does not have.
+    pub fn with_layers(self, layers: Vec<Layer>) -> Result<Self, MeshError> {
+        for layer in &layers {
+            let expected = match layer.domain() {
+                Domain::Vertex => self.positions.len(),
+                Domain::Corner => self.faces.corner_count(),
+                Domain::Face => self.faces.face_count(),
+            };
+            if layer.element_count() != expected {
+                let (name, found) = (layer.name().to_owned(), layer.element_count());
+                return Err(MeshError::LayerSize { name, found, expected });
+            }
+            if !layer.is_consistent() {
+                return Err(MeshError::LayerValues { name: layer.name().to_owned() });
+            }
+        }
+        Ok(PolygonMesh { layers: Arc::new(layers), ..self })
+    }
+
+    /// The mesh with these statements about the file as a whole in place of its own.
+    pub fn with_metadata(self, metadata: Vec<Metadata>) -> Self {
+        PolygonMesh { metadata: Arc::new(metadata), ..self }
+    }
+
+    /// The point of each vertex.
+    pub fn positions(&self) -> &[[f64; 3]] {
+        &self.positions
+    }
+
+    /// The point of one vertex.
+    pub fn position(&self, vertex: VertexId) -> [f64; 3] {
+        self.positions[vertex.index()]
+    }
+
+    /// The faces as stored.
+    pub fn faces(&self) -> &FaceTable {
+        &self.faces
+    }
+
+    /// The faces in normal form, which is what every analysis and kernel is about; made when first asked for and
+    /// shared by all clones.
+    pub fn complex(&self) -> &Complex {
+        self.complex.get_or_init(|| Complex::of(&self.faces))
+    }
+
+    /// Edges that are elements of their own.
+    pub fn loose_edges(&self) -> &[[VertexId; 2]] {
+        &self.loose_edges
+    }
+
+    /// Points that are elements of their own.
+    pub fn loose_points(&self) -> &[VertexId] {
+        &self.loose_points
+    }
+
+    /// The attribute layers.
+    pub fn layers(&self) -> &[Layer] {
+        &self.layers
+    }
+
+    /// What the file says of itself as a whole, in its order.
+    pub fn metadata(&self) -> &[Metadata] {
+        &self.metadata
+    }
+
+    /// The first layer of a name and domain.
+    pub fn layer(&self, name: &str, domain: Domain) -> Option<&Layer> {
+        self.layers.iter().find(|layer| layer.name() == name && layer.domain() == domain)
+    }
+
+    /// How many vertices, faces and corners there are.
+    pub fn counts(&self) -> Counts {
+        Counts {
+            vertices: self.positions.len(),
+            faces: self.faces.face_count(),
+            corners: self.faces.corner_count(),
+        }
+    }
+
+    /// Whether all three coordinates of a vertex are finite.
+    pub fn is_finite(&self, vertex: VertexId) -> bool {
+        self.positions[vertex.index()].iter().all(|x| x.is_finite())
+    }
+
+    /// The mesh with other positions for the same vertices: only for tests of invariance and for front ends that
+    /// change units. A repair never moves a vertex.
+    ///
+    /// # Errors
+    /// When the number of positions is another.
+    pub fn with_positions(self, positions: Vec<[f64; 3]>) -> Result<Self, MeshError> {
+        if positions.len() != self.positions.len() {
+            return Err(MeshError::VertexCount { faces: self.positions.len(), positions: positions.len() });
+        }
+        Ok(PolygonMesh { positions: Arc::new(positions), ..self })
+    }
+}

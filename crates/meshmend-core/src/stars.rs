@@ -1,0 +1,156 @@
+//! The local classes: what an edge's and a vertex's star look like.
+
+use crate::{Column, Connectivity, CornerId, EdgeId, VertexId};
+
+/// What an edge is, by the number of sides that run along it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum EdgeClass {
+    /// One side.
+    Boundary,
+    /// Two sides.
+    Interior,
+    /// Three sides or more.
+    NonManifold,
+}
+
+/// What a vertex is, by the umbrellas of corners round it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum VertexClass {
+    /// In no face of the complex.
+    Unreferenced,
+    /// One closed umbrella.
+    Disc,
+    /// One open fan.
+    HalfDisc,
+    /// Two umbrellas or more, each closed or open.
+    Pinched {
+        /// How many.
+        umbrellas: u32,
+        /// Whether all of them are open fans, so that closing holes makes the vertex manifold.
+        boundary_only: bool,
+    },
+    /// Some edge here has three sides or more.
+    Singular,
+}
+
+impl VertexClass {
+    /// Whether a surface may have such a vertex.
+    pub fn is_manifold(self) -> bool {
+        matches!(self, VertexClass::Disc | VertexClass::HalfDisc)
+    }
+}
+
+/// The class of an edge.
+///
+/// *Cost*: a look at up to three of its corners.
+pub fn edge_class<K: Connectivity>(kernel: &K, edge: EdgeId) -> EdgeClass {
+    match kernel.edge_corners(edge).take(3).count() {
+        0 | 1 => EdgeClass::Boundary,
+        2 => EdgeClass::Interior,
+        _ => EdgeClass::NonManifold,
+    }
+}
+
+/// Whether an edge has exactly two sides and both run the same way.
+pub fn is_inconsistent<K: Connectivity>(kernel: &K, edge: EdgeId) -> bool {
+    let mut sides = kernel.edge_corners(edge);
+    match (sides.next(), sides.next(), sides.next()) {
+        (Some(one), Some(other), None) => kernel.corner_vertex(one) == kernel.corner_vertex(other),
+        _ => false,
+    }
+}
+
+/// How the corners at one vertex hang together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Umbrellas {
+    /// Classes of corners that share edges at the vertex.
+    pub count: u32,
+    /// How many edges at the vertex have one side.
+    pub boundary_edges: u32,
+    /// Whether an edge at the vertex has three sides or more.
+    pub singular: bool,
+}
+
+/// The umbrellas at a vertex: its corners, joined where they share an edge there, of whatever degree.
+///
+/// *Cost*: O(d log d) for d corners.
+pub fn umbrellas<K: Connectivity>(kernel: &K, vertex: VertexId) -> Umbrellas {
+    Star::default().umbrellas(kernel, vertex)
+}
+
+/// The class of every vertex.
+///
+/// *Cost*: O(Σ d log d) over the vertices' degrees d.
+pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexClass> {
+    let mut star = Star::default();
+    kernel.vertices().map(|v| star.umbrellas(kernel, v).class()).collect()
+}
+
+impl Umbrellas {
+    /// The vertex's class.
+    pub fn class(self) -> VertexClass {
+        if self.count == 0 {
+            VertexClass::Unreferenced
+        } else if self.singular {
+            VertexClass::Singular
+        } else if self.count > 1 {
+            // A fan has two edges with one side, a closed umbrella none.
+            VertexClass::Pinched {
+                umbrellas: self.count,
+                boundary_only: self.boundary_edges == 2 * self.count,
+            }
+        } else if self.boundary_edges == 0 {
+            VertexClass::Disc
+        } else {
+            VertexClass::HalfDisc
+        }
+    }
+}
+
+/// The edges at a vertex, each with the place of a corner that has it there; reused from vertex to vertex.
+#[derive(Default)]
+struct Star {
+    edge_of_corner: Vec<(EdgeId, u32)>,
+    parent: Vec<u32>,
+}
+
+impl Star {
+    fn umbrellas<K: Connectivity>(&mut self, kernel: &K, vertex: VertexId) -> Umbrellas {
+        self.edge_of_corner.clear();
+        self.parent.clear();
+        for (place, corner) in kernel.vertex_corners(vertex).enumerate() {
+            let before: CornerId = kernel.prev_corner(corner);
+            self.parent.push(place as u32);
+            self.edge_of_corner.push((kernel.corner_edge(corner), place as u32));
+            self.edge_of_corner.push((kernel.corner_edge(before), place as u32));
+        }
+        self.edge_of_corner.sort_unstable();
+        let mut found = Umbrellas { count: self.parent.len() as u32, ..Umbrellas::default() };
+        for run in self.edge_of_corner.chunk_by(|one, other| one.0 == other.0) {
+            match run.len() {
+                1 => found.boundary_edges += 1,
+                2 => {}
+                _ => found.singular = true,
+            }
+            for pair in run.windows(2) {
+                found.count -= u32::from(join(&mut self.parent, pair[0].1, pair[1].1));
+            }
+        }
+        found
+    }
+}
+
+/// Joins two classes; says whether they were apart.
+fn join(parent: &mut [u32], one: u32, other: u32) -> bool {
+    let (one, other) = (root(parent, one), root(parent, other));
+    parent[one.max(other) as usize] = one.min(other);
+    one != other
+}
+
+fn root(parent: &mut [u32], mut at: u32) -> u32 {
+    while parent[at as usize] != at {
+        parent[at as usize] = parent[parent[at as usize] as usize];
+        at = parent[at as usize];
+    }
+    at
+}
