@@ -108,7 +108,7 @@ pub fn admission(complex: &Complex, capabilities: &Capabilities) -> Vec<Defect> 
             _ => None,
         }));
     }
-    defects.sort_by(|one, other| one.kind().cmp(&other.kind()));
+    defects.sort_by_key(Defect::kind);
     defects
 }
 

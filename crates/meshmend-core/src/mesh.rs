@@ -111,7 +111,7 @@ impl PolygonMesh {
                 return wrong("loose edge", index, vertex);
             }
         }
-        if let Some(index) = points.iter().position(|v| outside(v)) {
+        if let Some(index) = points.iter().position(outside) {
             return wrong("loose point", index, points[index]);
         }
         Ok(PolygonMesh { loose_edges: Arc::new(edges), loose_points: Arc::new(points), ..self })
