@@ -1,1 +1,53 @@
-//! todo
+//! Reads and writes mesh files: OBJ, PLY, STL and OFF.
+//!
+//! A reader takes the bytes of a whole file and gives a [`PolygonMesh`] in which nothing is lost that the mesh
+//! can hold: faces of any size, degenerate ones, loose edges and points, attributes in the type in which they
+//! are stored, comments. What it can't hold is named in [`Note`]s; what is wrong is a [`ReadError`] with the
+//! line or the byte. A writer gives a file that reads back to the same bits, and names as [`Loss`]es what its
+//! format can't carry.
+//!
+//! ```
+//! use meshmend_io::{Format, ReadOptions, WriteOptions, encode, read_bytes};
+//!
+//! let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+//! let file = read_bytes(text, "triangle.obj", &ReadOptions::default())?;
+//! assert_eq!(file.mesh.counts().faces, 1);
+//!
+//! let mut off = Vec::new();
+//! let losses = encode(&file.mesh, &WriteOptions::of(Format::Off), &mut off)?;
+//! assert!(losses.is_empty());
+//! assert_eq!(off, b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Only the named file is ever opened: what a file says about other files (`mtllib`) is kept as metadata.
+//!
+//! A format is one module with a `Driver` and one line in the registry of [`Format`].
+//!
+//! [`PolygonMesh`]: meshmend_core::PolygonMesh
+
+mod assemble;
+mod atomic;
+mod error;
+mod format;
+mod layers;
+mod limits;
+mod loss;
+mod note;
+mod obj;
+mod off;
+mod ply;
+mod read;
+mod sink;
+mod stl;
+mod text;
+mod write;
+
+pub use atomic::replace_file;
+pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
+pub use format::{Encoding, Format};
+pub use limits::Limits;
+pub use loss::{Loss, LossKind};
+pub use note::{Note, NoteKind};
+pub use read::{ReadFile, ReadOptions, read, read_bytes};
+pub use write::{WriteOptions, encode, losses, write};

@@ -1,1 +1,43 @@
-//! todo
+//! Repairs of polygon meshes, as passes that run alone or in a pipeline.
+//!
+//! A [`Pass`] takes a mesh and gives a mesh with its provenance: nothing is removed or changed that the record does
+//! not name. A [`Pipeline`] runs passes one after another; the default one makes any mesh manifold, consistently
+//! oriented where that can be, and free of rubbish, without deleting a face that is not degenerate, non-finite or
+//! there twice:
+//!
+//! [`Weld`] → [`Clean`] → [`Orient`] → [`Split`] → [`Triangulate`] → [`Compact`] → [`Recompute`]
+//!
+//! A [`Plan`] says the same in a file.
+
+mod clean;
+mod compact;
+mod figures;
+mod matching;
+mod near;
+mod orient;
+mod pass;
+mod pipeline;
+mod plan;
+mod polygon;
+mod recompute;
+mod registry;
+mod split;
+mod triangulate;
+mod volume;
+mod weld;
+mod words;
+
+pub use clean::{Clean, NonFinite};
+pub use compact::{Compact, LooseElements};
+pub use figures::Figures;
+pub use orient::{Duplicates, NonOrientable, Orient, Side};
+pub use pass::{Context, History, Outcome, Pass, PassError};
+pub use pipeline::{PassRecord, Pipeline, RemovedFace, Repaired};
+pub use plan::{Plan, PlanError};
+pub use recompute::Recompute;
+pub use registry::{AnyPass, PassKind};
+pub use split::{Seams, Split, SplitEdges};
+pub use triangulate::{Triangulate, TriangulateFaces};
+pub use weld::{Distance, Weld, coincident_vertices};
+
+pub(crate) use pass::StoredNames;

@@ -1,1 +1,24 @@
-//! todo
+//! What the tests of meshmend are made of.
+//!
+//! * [`Soup`]: a mesh as plain lists, from which everything here is made and on which everything here works.
+//! * [`shapes`]: generators of meshes whose every figure is known in closed form, as a [`Truth`](shapes::Truth).
+//! * [`damage`]: harm done to a mesh, with what it must change.
+//! * [`oracle`]: the definitions of sections 1 to 3 of the semantics, transcribed naively: slow, plain, and sharing
+//!   nothing with what it judges.
+//! * [`mod@reference`]: the default repair pipeline in exact arithmetic, slow and plain.
+//! * [`worlds`]: proptest strategies, and every small mesh there is.
+//! * [`laws`]: what any kernel must do.
+//!
+//! A test may panic, and so may this crate, which only tests use.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+pub mod damage;
+pub mod laws;
+pub mod oracle;
+pub mod reference;
+pub mod shapes;
+mod soup;
+pub mod worlds;
+
+pub use soup::Soup;

@@ -1,0 +1,130 @@
+//! What all readers do last: check every index once, and put the parts together.
+
+use meshmend_core::{FaceTableBuilder, FaceTableError, Layer, MeshError, Metadata, PolygonMesh, VertexId};
+
+use crate::note::Notes;
+use crate::read::Source;
+use crate::{Limits, NoteKind, Place, ReadError};
+
+/// What a reader collects.
+#[derive(Default)]
+pub(crate) struct Parts {
+    pub(crate) positions: Vec<[f64; 3]>,
+    pub(crate) faces: FaceTableBuilder,
+    pub(crate) loose_edges: Vec<[VertexId; 2]>,
+    pub(crate) loose_points: Vec<VertexId>,
+    pub(crate) layers: Vec<Layer>,
+    pub(crate) metadata: Vec<Metadata>,
+    pub(crate) highest: Highest,
+    pub(crate) notes: Notes,
+}
+
+/// The highest index that was read, and the first place where. Faces may come before the vertices that they
+/// name, so an index can be checked only when all is read; then the highest speaks for all.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Highest {
+    found: Option<(u32, usize)>,
+}
+
+impl Highest {
+    #[inline]
+    pub(crate) fn see(&mut self, index: u32, at: usize) {
+        if self.found.is_none_or(|(highest, _)| index > highest) {
+            self.found = Some((index, at));
+        }
+    }
+
+    /// The highest index and its place, if it is not below the count.
+    pub(crate) fn beyond(self, count: usize) -> Option<(u32, usize)> {
+        self.found.filter(|&(index, _)| index as usize >= count)
+    }
+}
+
+impl Parts {
+    /// Keeps a comment or another statement about the whole file, up to the limit.
+    pub(crate) fn keep_statement(&mut self, key: &str, value: &[u8], limits: &Limits, place: impl FnOnce() -> Place) {
+        if self.metadata.len() < limits.max_comments {
+            self.metadata.push(Metadata { key: key.to_owned(), value: value.to_vec() });
+        } else {
+            self.notes.add(NoteKind::SkippedComment, "comments beyond the limit were skipped", place);
+        }
+    }
+
+    /// The mesh, or an error at the highest index if there is no such vertex. `first` is the number of the first
+    /// vertex as the format counts.
+    pub(crate) fn assemble(
+        mut self,
+        source: &Source<'_>,
+        first: u64,
+        place: impl Fn(usize) -> Place,
+    ) -> Result<(PolygonMesh, Notes), ReadError> {
+        let count = self.positions.len();
+        if let Some((index, at)) = self.highest.beyond(count) {
+            let number = u64::from(index) + first;
+            return Err(source.malformed(place(at), no_such_vertex(number as i64, count)));
+        }
+        let infinite = self.positions.iter().filter(|p| !p.iter().all(|x| x.is_finite())).count() as u64;
+        let message = "vertices whose position is not finite";
+        self.notes.add_many(NoteKind::NonFinite, message, infinite, || Place::File);
+        let faces = self.faces.build(count).map_err(|error| table_error(source, &error))?;
+        let failed = |error: MeshError| source.malformed(Place::File, error.to_string());
+        let mesh = PolygonMesh::new(self.positions, faces).map_err(failed)?;
+        let mesh = mesh.with_loose(self.loose_edges, self.loose_points).map_err(failed)?;
+        let mesh = mesh.with_layers(self.layers).map_err(failed)?;
+        Ok((mesh.with_metadata(self.metadata), self.notes))
+    }
+}
+
+/// The reason when a file names a vertex that it does not hold.
+pub(crate) fn no_such_vertex(number: i64, count: usize) -> String {
+    format!("vertex {number} does not exist: the file has {count} vertices")
+}
+
+fn table_error(source: &Source<'_>, error: &FaceTableError) -> ReadError {
+    match *error {
+        FaceTableError::TooLarge { what, count } => {
+            let limit = Limits::default().max_corners;
+            let kind = crate::ReadErrorKind::LimitExceeded { what, found: count as u64, limit };
+            ReadError { file: source.name.to_owned(), place: Place::File, kind }
+        }
+        ref error => source.malformed(Place::File, error.to_string()),
+    }
+}
+
+/// A corner attribute that is named by index: which value each corner uses, none until one is named.
+#[derive(Default)]
+pub(crate) struct Uses {
+    uses: Vec<u32>,
+    highest: Highest,
+}
+
+impl Uses {
+    /// Lets an element use a value; elements before it that were given none have none.
+    #[inline]
+    pub(crate) fn set(&mut self, element: usize, value: u32, at: usize) {
+        self.uses.resize(element, meshmend_core::NO_VALUE);
+        self.uses.push(value);
+        self.highest.see(value, at);
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.uses.is_empty()
+    }
+
+    /// The uses of all elements; values that don't exist are counted, with the place of the highest, and taken
+    /// away.
+    pub(crate) fn checked(mut self, elements: usize, values: usize) -> (Vec<u32>, Option<(u64, usize)>) {
+        self.uses.resize(elements, meshmend_core::NO_VALUE);
+        let Some((_, at)) = self.highest.beyond(values) else {
+            return (self.uses, None);
+        };
+        let mut wrong = 0;
+        for slot in &mut self.uses {
+            if *slot != meshmend_core::NO_VALUE && *slot as usize >= values {
+                *slot = meshmend_core::NO_VALUE;
+                wrong += 1;
+            }
+        }
+        (self.uses, Some((wrong, at)))
+    }
+}

@@ -1,0 +1,129 @@
+//! The registry of formats.
+
+use std::fmt;
+use std::io;
+use std::path::Path;
+
+use meshmend_core::PolygonMesh;
+use serde::Serialize;
+
+use crate::read::{Parsed, Source};
+use crate::{Limits, Loss, ReadError, WriteErrorKind};
+
+/// How a file spells its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Encoding {
+    /// As text.
+    Ascii,
+    /// As binary numbers, the lowest byte first.
+    LittleEndian,
+    /// As binary numbers, the highest byte first.
+    BigEndian,
+}
+
+impl Encoding {
+    /// Every encoding.
+    pub const ALL: &'static [Encoding] = &[Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian];
+
+    /// Its name: `ascii`, `little-endian` or `big-endian`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Encoding::Ascii => "ascii",
+            Encoding::LittleEndian => "little-endian",
+            Encoding::BigEndian => "big-endian",
+        }
+    }
+}
+
+impl fmt::Display for Encoding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// What a format's module gives to the registry.
+pub(crate) struct Driver {
+    pub(crate) name: &'static str,
+    pub(crate) extensions: &'static [&'static str],
+    /// What is written, the default first.
+    pub(crate) encodings: &'static [Encoding],
+    /// Whether a file that starts like this, and has no known name, is surely of this format.
+    pub(crate) sniff: fn(&[u8]) -> bool,
+    pub(crate) read: fn(&Source<'_>, &Limits) -> Result<Parsed, ReadError>,
+    pub(crate) encode: fn(&PolygonMesh, Encoding, &mut dyn io::Write) -> Result<(), WriteErrorKind>,
+    pub(crate) losses: fn(&PolygonMesh, Encoding) -> Vec<Loss>,
+}
+
+macro_rules! formats {
+    ($($(#[$doc:meta])* $format:ident => $driver:path,)*) => {
+        /// A file format that is read and written.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+        #[serde(rename_all = "kebab-case")]
+        #[non_exhaustive]
+        pub enum Format {
+            $($(#[$doc])* $format,)*
+        }
+
+        impl Format {
+            /// Every format.
+            pub const ALL: &'static [Format] = &[$(Format::$format,)*];
+
+            pub(crate) fn driver(self) -> &'static Driver {
+                match self {
+                    $(Format::$format => &$driver,)*
+                }
+            }
+        }
+    };
+}
+
+formats! {
+    /// Wavefront OBJ.
+    Obj => crate::obj::DRIVER,
+    /// Polygon file format, also called Stanford triangle format.
+    Ply => crate::ply::DRIVER,
+    /// Stereolithography: triangles without indices.
+    Stl => crate::stl::DRIVER,
+    /// Object file format of Geomview.
+    Off => crate::off::DRIVER,
+}
+
+impl Format {
+    /// Its usual name, such as `OBJ`.
+    pub fn name(self) -> &'static str {
+        self.driver().name
+    }
+
+    /// The file name extensions that stand for it, in lower case and without the dot; the usual one first.
+    pub fn extensions(self) -> &'static [&'static str] {
+        self.driver().extensions
+    }
+
+    /// The encodings in which it is written, the default first.
+    pub fn encodings(self) -> &'static [Encoding] {
+        self.driver().encodings
+    }
+
+    /// The format of an extension, in any case and without the dot.
+    pub fn from_extension(extension: &str) -> Option<Format> {
+        let stands_for = |format: &&Format| format.extensions().iter().any(|e| e.eq_ignore_ascii_case(extension));
+        Format::ALL.iter().find(stands_for).copied()
+    }
+
+    /// The format of a file name's extension.
+    pub fn from_path(path: &Path) -> Option<Format> {
+        path.extension().and_then(|extension| extension.to_str()).and_then(Format::from_extension)
+    }
+
+    /// The format that content surely has, whatever the file is called.
+    pub fn from_content(bytes: &[u8]) -> Option<Format> {
+        Format::ALL.iter().find(|format| (format.driver().sniff)(bytes)).copied()
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

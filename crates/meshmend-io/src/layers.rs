@@ -1,0 +1,113 @@
+//! What all writers ask about attribute layers, and how they name what they leave out.
+
+use std::borrow::Cow;
+
+use meshmend_core::{Domain, Layer, PolygonMesh, Values};
+
+use crate::{Loss, LossKind};
+
+/// Whether a layer's values are numbers, not names or lists.
+pub(crate) fn is_numeric(layer: &Layer) -> bool {
+    !matches!(layer.values(), Values::Text(_) | Values::Lists { .. })
+}
+
+/// Whether a layer's values are numbers with a fraction.
+pub(crate) fn has_fractions(layer: &Layer) -> bool {
+    matches!(layer.values(), Values::F32(_) | Values::F64(_))
+}
+
+/// The first layer of a name and domain that is fit for a use.
+pub(crate) fn layer_of<'a>(
+    mesh: &'a PolygonMesh,
+    name: &str,
+    domain: Domain,
+    is_fit: impl Fn(&Layer) -> bool,
+) -> Option<&'a Layer> {
+    mesh.layers().iter().find(|layer| layer.name() == name && layer.domain() == domain && is_fit(layer))
+}
+
+/// A number of a pool; names and lists have none.
+#[inline]
+pub(crate) fn number(values: &Values, at: usize) -> f64 {
+    match values {
+        Values::I8(v) => f64::from(v[at]),
+        Values::U8(v) => f64::from(v[at]),
+        Values::I16(v) => f64::from(v[at]),
+        Values::U16(v) => f64::from(v[at]),
+        Values::I32(v) => f64::from(v[at]),
+        Values::U32(v) => f64::from(v[at]),
+        Values::F32(v) => f64::from(v[at]),
+        Values::F64(v) => v[at],
+        Values::Text(_) | Values::Lists { .. } => f64::NAN,
+    }
+}
+
+/// How many elements have no value in a layer.
+pub(crate) fn absent(layer: &Layer) -> usize {
+    (0..layer.element_count()).filter(|&element| layer.value_of(element).is_none()).count()
+}
+
+/// A loss for each layer that is not among those which are written.
+pub(crate) fn layer_losses(mesh: &PolygonMesh, written: &[&Layer]) -> Vec<Loss> {
+    let is_written = |layer: &&Layer| written.iter().any(|other| std::ptr::eq(*other, *layer));
+    let left_out = mesh.layers().iter().filter(|layer| !is_written(layer));
+    left_out.filter_map(|layer| layer_loss(layer, layer.element_count() - absent(layer))).collect()
+}
+
+fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
+    let (domain, name) = (domain_name(layer.domain()), layer.name());
+    Loss::if_any(LossKind::Layer, count, |count| format!("{domain} attribute `{name}` of {count} {}", elements(layer)))
+}
+
+/// `vertex`, `corner` or `face`.
+pub(crate) fn domain_name(domain: Domain) -> &'static str {
+    match domain {
+        Domain::Vertex => "vertex",
+        Domain::Corner => "corner",
+        Domain::Face => "face",
+    }
+}
+
+/// `vertices`, `corners` or `faces`.
+pub(crate) fn elements(layer: &Layer) -> &'static str {
+    match layer.domain() {
+        Domain::Vertex => "vertices",
+        Domain::Corner => "corners",
+        Domain::Face => "faces",
+    }
+}
+
+/// A loss for each kind of statement about the whole file that is not among those which are written.
+pub(crate) fn metadata_losses(mesh: &PolygonMesh, written: &[&str]) -> Vec<Loss> {
+    let mut keys: Vec<&str> = mesh.metadata().iter().map(|m| m.key.as_str()).collect();
+    keys.retain(|key| !written.contains(key));
+    keys.sort_unstable();
+    let of_key = keys.chunk_by(|a, b| a == b);
+    let loss = |same: &[&str]| {
+        let message = format!("{} statements `{}` about the file", same.len(), same[0]);
+        Loss::new(LossKind::Metadata, same.len(), message)
+    };
+    of_key.map(loss).collect()
+}
+
+/// The loss of all loose edges and points.
+pub(crate) fn loose_losses(mesh: &PolygonMesh) -> Vec<Loss> {
+    let edges = Loss::if_any(LossKind::LooseEdges, mesh.loose_edges().len(), |n| format!("{n} loose edges"));
+    edges.into_iter().chain(point_loss(mesh)).collect()
+}
+
+/// The loss of all loose points.
+pub(crate) fn point_loss(mesh: &PolygonMesh) -> Option<Loss> {
+    Loss::if_any(LossKind::LoosePoints, mesh.loose_points().len(), |n| format!("{n} loose points"))
+}
+
+/// A statement as one line that no reader continues on the next: without line ends, and not ending in `\`.
+pub(crate) fn one_line(value: &[u8]) -> Cow<'_, [u8]> {
+    let breaks = |byte: &u8| matches!(byte, b'\n' | b'\r' | 0);
+    if value.iter().any(breaks) || value.ends_with(b"\\") {
+        let mut line: Vec<u8> = value.iter().map(|b| if breaks(b) { b' ' } else { *b }).collect();
+        line.push(b' ');
+        return Cow::Owned(line);
+    }
+    Cow::Borrowed(value)
+}

@@ -1,0 +1,46 @@
+//! How much a reader takes in before it refuses.
+
+use meshmend_core::MAX_CORNERS;
+
+/// What a file may hold at most. The defaults are finite, and beyond what fits the memory of most machines.
+///
+/// Memory follows the bytes that are present, never the counts that a file declares, whatever the limits are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Bytes of the file; 16 GiB by default.
+    pub max_file_bytes: u64,
+    /// Vertices; 2³¹ − 1 by default, which is also the most that a mesh holds.
+    pub max_vertices: u64,
+    /// Faces; 2³¹ − 1 by default, which is also the most that a mesh holds.
+    pub max_faces: u64,
+    /// Corners of all faces together; 2³¹ − 1 by default, which is also the most that a mesh holds.
+    pub max_corners: u64,
+    /// Comments that are kept as metadata; 10 000 by default. Further ones are counted in a note.
+    pub max_comments: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        let most = MAX_CORNERS as u64 - 1;
+        Limits {
+            max_file_bytes: 16 << 30,
+            max_vertices: most,
+            max_faces: most,
+            max_corners: most,
+            max_comments: 10_000,
+        }
+    }
+}
+
+impl Limits {
+    /// These limits, and those of what a mesh holds.
+    pub(crate) fn within_a_mesh(self) -> Self {
+        let most = Limits::default();
+        Limits {
+            max_vertices: self.max_vertices.min(most.max_vertices),
+            max_faces: self.max_faces.min(most.max_faces),
+            max_corners: self.max_corners.min(most.max_corners),
+            ..self
+        }
+    }
+}

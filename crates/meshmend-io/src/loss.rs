@@ -1,0 +1,63 @@
+//! What a format can't carry.
+
+use std::fmt;
+
+use serde::Serialize;
+
+/// Something of a mesh that a written file has no longer, or not exactly.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Loss {
+    /// What kind of loss it is.
+    pub kind: LossKind,
+    /// How many elements are concerned.
+    pub count: u64,
+    /// What is lost, for people.
+    pub message: String,
+}
+
+/// The kinds of loss, with stable names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LossKind {
+    /// An attribute layer is left out.
+    Layer,
+    /// Some elements had no value in a layer, and the format has to give them one.
+    AbsentValue,
+    /// Which vertex is which: the format stores coordinates only, and equal ones become one vertex again.
+    SharedVertices,
+    /// Values are kept in another type, or with other elements.
+    Converted,
+    /// Positions are rounded to single precision.
+    Precision,
+    /// Faces of more than three corners are cut into triangles.
+    Polygons,
+    /// Faces of fewer than three corners are left out.
+    ShortFaces,
+    /// Vertices that no face uses are left out.
+    UnusedVertices,
+    /// Loose edges are left out.
+    LooseEdges,
+    /// Loose points are left out.
+    LoosePoints,
+    /// Statements about the file as a whole are left out.
+    Metadata,
+    /// Names are spelled otherwise, as the format has no way to write them.
+    Names,
+}
+
+impl Loss {
+    pub(crate) fn new(kind: LossKind, count: usize, message: impl Into<String>) -> Self {
+        Loss { kind, count: count as u64, message: message.into() }
+    }
+
+    /// The loss if it concerns any element.
+    pub(crate) fn if_any(kind: LossKind, count: usize, message: impl FnOnce(usize) -> String) -> Option<Self> {
+        (count > 0).then(|| Loss::new(kind, count, message(count)))
+    }
+}
+
+impl fmt::Display for Loss {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}

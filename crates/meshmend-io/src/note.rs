@@ -1,0 +1,106 @@
+//! What a reader has to say about a file that it accepts.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::Place;
+
+/// Something in an accepted file that is not in the mesh, or not as the file has it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Note {
+    /// What kind of remark it is.
+    pub kind: NoteKind,
+    /// How often it applies.
+    pub count: u64,
+    /// Where it applies first.
+    pub first: Place,
+    /// What it says, for people; without count and place.
+    pub message: String,
+}
+
+/// The kinds of remark, with stable names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum NoteKind {
+    /// A statement that is not understood was skipped.
+    SkippedStatement,
+    /// An element or property that is not understood was skipped.
+    SkippedElement,
+    /// Content after the end of the data was skipped.
+    SurplusData,
+    /// Columns beyond those that the format has were skipped.
+    SurplusColumns,
+    /// A corner names a texture coordinate or normal that does not exist, and has none instead.
+    AttributeOutOfRange,
+    /// Values of several widths were padded with zeros.
+    MixedWidths,
+    /// Attributes of loose edges and points were skipped.
+    LooseAttribute,
+    /// A group, object or material that no face has was skipped.
+    UnusedName,
+    /// Comments beyond the limit were skipped.
+    SkippedComment,
+    /// An end that the format asks for is missing, with nothing cut off.
+    MissingEnd,
+    /// A coordinate is not a finite number.
+    NonFinite,
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.message)?;
+        if self.count > 1 {
+            write!(f, " ({} times)", self.count)?;
+        }
+        match self.first {
+            Place::File => Ok(()),
+            place if self.count > 1 => write!(f, ", first at {place}"),
+            place => write!(f, ", at {place}"),
+        }
+    }
+}
+
+/// How many different messages of one kind are kept; further ones are counted together.
+const MOST_MESSAGES: usize = 16;
+
+/// Collects notes; equal ones are counted.
+#[derive(Default)]
+pub(crate) struct Notes {
+    found: BTreeMap<(NoteKind, String), (u64, Place)>,
+}
+
+impl Notes {
+    /// Adds one remark.
+    pub(crate) fn add(&mut self, kind: NoteKind, message: &str, place: impl FnOnce() -> Place) {
+        self.add_many(kind, message, 1, place);
+    }
+
+    /// Adds a remark that applies `count` times; nothing when that is 0.
+    pub(crate) fn add_many(
+        &mut self,
+        kind: NoteKind,
+        message: &str,
+        count: u64,
+        place: impl FnOnce() -> Place,
+    ) {
+        if count == 0 {
+            return;
+        }
+        let key = (kind, message.to_owned());
+        if let Some((known, _)) = self.found.get_mut(&key) {
+            *known += count;
+            return;
+        }
+        let of_kind = self.found.range((kind, String::new())..).take_while(|((k, _), _)| *k == kind).count();
+        let key = if of_kind < MOST_MESSAGES { key } else { (kind, "further ones of this kind".to_owned()) };
+        self.found.entry(key).or_insert_with(|| (0, place())).0 += count;
+    }
+
+    pub(crate) fn into_list(self) -> Vec<Note> {
+        let note = |((kind, message), (count, first))| Note { kind, count, first, message };
+        self.found.into_iter().map(note).collect()
+    }
+}

@@ -1,0 +1,32 @@
+//! OBJ: text with one statement a line.
+//!
+//! | statement | becomes |
+//! |---|---|
+//! | `v x y z`, `v x y z w`, `v x y z r g b`, `v x y z r g b a` | a vertex; layer `weight` where some w is not 1; layer `color` |
+//! | `vt`, `vn` | the pools of the corner layers `texcoord` (one to three numbers) and `normal` |
+//! | `f` | a face, however many corners it has |
+//! | `l`, `p` | loose edges, loose points |
+//! | `o`, `g`, `usemtl`, `s` | the face layers `object`, `group`, `material`, `smoothing`; no name (or `s off`) is no value |
+//! | `mtllib`, `#` | metadata; no library is opened |
+//!
+//! Any other statement is skipped and noted. Indices count from 1, or back from the last vertex when negative; a
+//! face may name later vertices. A vertex index that does not exist is an error; a texture or normal index that
+//! does not exist leaves the corner without that value and is noted, as the geometry is whole. `\` at the end of
+//! a line continues it (not a comment). Lines end with LF, CR LF or CR.
+
+mod names;
+mod read;
+mod write;
+
+use crate::Encoding;
+use crate::format::Driver;
+
+pub(crate) static DRIVER: Driver = Driver {
+    name: "OBJ",
+    extensions: &["obj"],
+    encodings: &[Encoding::Ascii],
+    sniff: read::sniff,
+    read: read::read,
+    encode: write::encode,
+    losses: write::losses,
+};

@@ -1,0 +1,31 @@
+//! OFF: text with counts, then one vertex a line, then one face a line.
+//!
+//! | header | vertices have |
+//! |---|---|
+//! | `OFF` | three coordinates |
+//! | with `N` in front | a normal too: vertex layer `normal` |
+//! | with `C` in front | a colour too: vertex layer `color` |
+//! | with `ST` in front | a texture coordinate too: vertex layer `texcoord` |
+//!
+//! What follows a face's indices is its colour: face layer `color`. Colours of three or four bytes each are kept
+//! as bytes, of three or four fractions each as fractions, any others as the text that they are. `#` begins a
+//! comment; whole lines of comment are metadata. A file without the word `OFF`, of four or n dimensions, or
+//! binary is an error; lines after the last face are skipped and noted.
+
+mod colors;
+mod read;
+mod write;
+
+use crate::Encoding;
+use crate::format::Driver;
+use crate::text::word;
+
+pub(crate) static DRIVER: Driver = Driver {
+    name: "OFF",
+    extensions: &["off", "coff", "noff", "cnoff", "stoff"],
+    encodings: &[Encoding::Ascii],
+    sniff: |bytes| read::Columns::of_header(word(bytes, 0)).is_some(),
+    read: read::read,
+    encode: write::encode,
+    losses: write::losses,
+};

@@ -1,0 +1,57 @@
+//! The rows of an element, column by column.
+
+use meshmend_core::Values;
+
+use crate::ReadError;
+use crate::ply::data::Data;
+use crate::ply::header::Element;
+
+/// The values of the columns of an element, apart from the one that is read in another way.
+pub(super) struct Columns {
+    /// As many as there are properties; empty ones where nothing is kept.
+    pub(super) values: Vec<Values>,
+}
+
+impl Columns {
+    pub(super) fn new(element: &Element) -> Self {
+        let empty = |property: &crate::ply::header::Property| match property.length {
+            None => property.item.empty(),
+            Some(_) => Values::Lists { starts: vec![0], items: Box::new(property.item.empty()) },
+        };
+        Columns { values: element.properties.iter().map(empty).collect() }
+    }
+
+    /// Reads the next value or list of a column.
+    #[inline]
+    pub(super) fn read(&mut self, element: &Element, column: usize, data: &mut impl Data) -> Result<(), ReadError> {
+        let property = &element.properties[column];
+        match (property.length, &mut self.values[column]) {
+            (Some(length), Values::Lists { starts, items }) => {
+                let at = data.at();
+                let count = data.length(length, property.item)?;
+                (0..count).try_for_each(|_| data.push(property.item, items))?;
+                let end = u32::try_from(items.len());
+                starts.push(end.map_err(|_| data.wrong(at, "lists of more items than can be held"))?);
+                Ok(())
+            }
+            (_, values) => data.push(property.item, values),
+        }
+    }
+}
+
+/// Passes over the rows of an element.
+pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
+    if element.properties.is_empty() || data.fixed_rows(element)?.is_some() {
+        return Ok(());
+    }
+    for _ in 0..element.count {
+        for property in &element.properties {
+            let count = match property.length {
+                None => 1,
+                Some(length) => data.length(length, property.item)?,
+            };
+            (0..count).try_for_each(|_| data.number(property.item).map(drop))?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,67 @@
+//! What is asked of values, be they text or binary.
+
+use meshmend_core::Values;
+
+use crate::ReadError;
+use crate::ply::header::Element;
+use crate::ply::scalar::Scalar;
+
+/// Values one after the other, each of a type that the header tells.
+pub(super) trait Data {
+    /// Which byte comes next.
+    fn at(&self) -> usize;
+
+    /// An error that says where in the file it is.
+    fn wrong(&self, at: usize, reason: &str) -> ReadError;
+
+    /// An error unless the bytes that are left can hold so many values, the least sizes being `bytes` in binary.
+    fn check_room(&self, values: u64, bytes: u64, what: &str) -> Result<(), ReadError>;
+
+    /// The next value as a double, which holds each type's values exactly.
+    fn number(&mut self, scalar: Scalar) -> Result<f64, ReadError>;
+
+    /// Appends the next value to values of its type.
+    fn push(&mut self, scalar: Scalar, values: &mut Values) -> Result<(), ReadError>;
+
+    /// Gives the next `count` whole numbers with their places.
+    fn indices(
+        &mut self,
+        scalar: Scalar,
+        count: usize,
+        each: impl FnMut(i64, usize),
+    ) -> Result<(), ReadError>;
+
+    /// The rows of an element as one piece, if each row has the same size in bytes.
+    fn fixed_rows(&mut self, element: &Element) -> Result<Option<FixedRows<'_>>, ReadError>;
+
+    /// How many bytes are left that are not blank, and where they begin.
+    fn surplus(&self) -> (usize, usize);
+
+    /// The length of a list that comes next, checked against what is left.
+    #[inline]
+    fn length(&mut self, length: Scalar, item: Scalar) -> Result<usize, ReadError> {
+        let at = self.at();
+        let count = self.number(length)?;
+        if !(count >= 0.0 && count.fract() == 0.0) {
+            return Err(self.wrong(at, &format!("{count} is no length of a list")));
+        }
+        let count = count as u64;
+        self.check_room(count, count.saturating_mul(item.size() as u64), "a list")?;
+        Ok(count as usize)
+    }
+
+    /// An error unless so many rows of an element can be there at all.
+    fn check_rows(&self, element: &Element) -> Result<(), ReadError> {
+        let least: usize = element.properties.iter().map(|p| p.length.unwrap_or(p.item).size()).sum();
+        let values = element.count.saturating_mul(element.properties.len() as u64);
+        let what = format!("{} rows of element `{}`", element.count, element.name);
+        self.check_room(values, element.count.saturating_mul(least as u64), &what)
+    }
+}
+
+/// Rows of one size in bytes.
+pub(super) struct FixedRows<'a> {
+    pub(super) bytes: &'a [u8],
+    pub(super) stride: usize,
+    pub(super) is_big_endian: bool,
+}

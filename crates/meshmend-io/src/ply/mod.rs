@@ -1,0 +1,63 @@
+//! PLY: a header that declares elements with properties of given types, and their values as text or binary.
+//!
+//! | element, property | becomes |
+//! |---|---|
+//! | `vertex`: `x y z` | a vertex; values are those of the declared type, also in text |
+//! | `nx ny nz`, `red green blue [alpha]`, `s t` or `u v` or `texture_u texture_v`, all of one type | the layers `normal`, `color`, `texcoord` of vertices or faces |
+//! | any other property | a layer of that name and type; lists stay lists |
+//! | `face`: list `vertex_indices` or `vertex_index` | a face |
+//! | `face`: list `texcoord` of two numbers a corner, list `corner_NAME` of any number a corner | the corner layers `texcoord`, `NAME` |
+//! | `tristrips`: list `vertex_indices` with −1 for a restart | triangles, every second one reversed |
+//! | `edge`: `vertex1 vertex2` | a loose edge |
+//! | `comment`, `obj_info` | metadata |
+//!
+//! Other elements are skipped and noted. Elements and properties may come in any order. What is written reads
+//! back to the same layers, whatever their names and types; positions are written as `float` where that holds
+//! every one of them exactly, else as `double`.
+
+mod binary;
+mod columns;
+mod data;
+mod header;
+mod interpret;
+mod layers;
+mod plain;
+mod plan;
+mod read;
+mod scalar;
+mod write;
+
+use crate::Encoding;
+use crate::format::Driver;
+
+pub(crate) static DRIVER: Driver = Driver {
+    name: "PLY",
+    extensions: &["ply"],
+    encodings: &[Encoding::LittleEndian, Encoding::BigEndian, Encoding::Ascii],
+    sniff: header::sniff,
+    read: read::read,
+    encode: write::encode,
+    losses: plan::losses,
+};
+
+/// Names that stand for one layer together.
+struct Group {
+    layer: &'static str,
+    members: &'static [&'static str],
+}
+
+/// The groups, a longer one before a shorter one of which it is an extension.
+const GROUPS: [Group; 6] = [
+    Group { layer: "normal", members: &["nx", "ny", "nz"] },
+    Group { layer: "color", members: &["red", "green", "blue", "alpha"] },
+    Group { layer: "color", members: &["red", "green", "blue"] },
+    Group { layer: "texcoord", members: &["s", "t"] },
+    Group { layer: "texcoord", members: &["u", "v"] },
+    Group { layer: "texcoord", members: &["texture_u", "texture_v"] },
+];
+
+/// The key of metadata that says which names a grouped layer's properties had, where not the usual ones.
+const PROPERTY_NAMES: &str = "ply-property";
+
+/// What a list property's name begins with when its values are those of the corners.
+const CORNER_PREFIX: &str = "corner_";

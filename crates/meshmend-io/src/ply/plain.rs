@@ -1,0 +1,146 @@
+//! Values as text: words between blanks, wherever the lines end.
+
+use meshmend_core::Values;
+
+use crate::ReadError;
+use crate::ply::data::{Data, FixedRows};
+use crate::ply::header::Element;
+use crate::ply::scalar::Scalar;
+use crate::read::Source;
+use crate::text::{self, is_space};
+
+pub(super) struct Plain<'a> {
+    source: &'a Source<'a>,
+    at: usize,
+}
+
+impl<'a> Plain<'a> {
+    pub(super) fn new(source: &'a Source<'a>, at: usize) -> Self {
+        Plain { source, at }
+    }
+
+    /// The bytes from the next word on.
+    #[inline]
+    fn next(&mut self) -> Result<&'a [u8], ReadError> {
+        let bytes = &self.source.bytes[self.at..];
+        match bytes.iter().position(|&b| !is_space(b)) {
+            Some(blanks) => {
+                self.at += blanks;
+                Ok(&bytes[blanks..])
+            }
+            None => Err(self.wrong(self.source.bytes.len(), "the file ends early: a value is missing")),
+        }
+    }
+
+    /// Passes over a value if a blank or the end follows it.
+    #[inline]
+    fn passed<T>(&mut self, bytes: &[u8], value: Option<(T, usize)>) -> Option<T> {
+        let (value, length) = value?;
+        bytes.get(length).is_none_or(|&b| is_space(b)).then(|| {
+            self.at += length;
+            value
+        })
+    }
+
+    #[inline]
+    fn real<T: fast_float2::FastFloat + From<f32>>(&mut self) -> Result<T, ReadError> {
+        let bytes = self.next()?;
+        self.passed(bytes, text::real::<T>(bytes)).ok_or_else(|| self.not("a number"))
+    }
+
+    /// A whole number within the range of its type.
+    #[inline]
+    fn whole(&mut self, scalar: Scalar) -> Result<i64, ReadError> {
+        let bytes = self.next()?;
+        let value = match self.passed(bytes, text::integer(bytes)) {
+            Some(value) => value,
+            None => self.whole_with_point(bytes)?,
+        };
+        let (least, greatest) = scalar.range();
+        if (least..=greatest).contains(&value) {
+            return Ok(value);
+        }
+        Err(self.wrong(self.at, &format!("{value} is no number of type `{}`", scalar.name())))
+    }
+
+    /// A whole number that is spelled like one with a fraction: `255.0`.
+    #[cold]
+    fn whole_with_point(&mut self, bytes: &[u8]) -> Result<i64, ReadError> {
+        let whole = text::real::<f64>(bytes).filter(|(value, _)| value.fract() == 0.0);
+        self.passed(bytes, whole).map(|value| value as i64).ok_or_else(|| self.not("a whole number"))
+    }
+
+    #[cold]
+    fn not(&self, what: &str) -> ReadError {
+        let found = text::shown(text::word(self.source.bytes, self.at));
+        self.wrong(self.at, &format!("`{found}` where {what} belongs"))
+    }
+}
+
+impl Data for Plain<'_> {
+    fn at(&self) -> usize {
+        self.at
+    }
+
+    #[cold]
+    fn wrong(&self, at: usize, reason: &str) -> ReadError {
+        self.source.malformed(self.source.line(at), reason)
+    }
+
+    fn check_room(&self, values: u64, _: u64, what: &str) -> Result<(), ReadError> {
+        // A value takes a byte and a blank.
+        let left = self.source.bytes.len() - self.at;
+        if values <= left as u64 / 2 + 1 {
+            return Ok(());
+        }
+        Err(self.wrong(self.at, &format!("the file ends early: {left} bytes are left for {what}")))
+    }
+
+    #[inline]
+    fn number(&mut self, scalar: Scalar) -> Result<f64, ReadError> {
+        match scalar {
+            Scalar::F32 => self.real::<f32>().map(f64::from),
+            Scalar::F64 => self.real::<f64>(),
+            _ => self.whole(scalar).map(|value| value as f64),
+        }
+    }
+
+    fn push(&mut self, scalar: Scalar, values: &mut Values) -> Result<(), ReadError> {
+        match values {
+            Values::F32(v) => v.push(self.real()?),
+            Values::F64(v) => v.push(self.real()?),
+            Values::I8(v) => v.push(self.whole(scalar)? as i8),
+            Values::U8(v) => v.push(self.whole(scalar)? as u8),
+            Values::I16(v) => v.push(self.whole(scalar)? as i16),
+            Values::U16(v) => v.push(self.whole(scalar)? as u16),
+            Values::I32(v) => v.push(self.whole(scalar)? as i32),
+            Values::U32(v) => v.push(self.whole(scalar)? as u32),
+            Values::Text(_) | Values::Lists { .. } => {}
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn indices(
+        &mut self,
+        scalar: Scalar,
+        count: usize,
+        mut each: impl FnMut(i64, usize),
+    ) -> Result<(), ReadError> {
+        for _ in 0..count {
+            let index = self.whole(scalar)?;
+            each(index, self.at - 1);
+        }
+        Ok(())
+    }
+
+    fn fixed_rows(&mut self, _: &Element) -> Result<Option<FixedRows<'_>>, ReadError> {
+        Ok(None)
+    }
+
+    fn surplus(&self) -> (usize, usize) {
+        let bytes = &self.source.bytes[self.at..];
+        let start = bytes.len() - text::trimmed_start(bytes).len();
+        (text::trimmed(bytes).len(), self.at + start)
+    }
+}

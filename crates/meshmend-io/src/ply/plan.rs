@@ -1,0 +1,188 @@
+//! Which layers become which properties, and what can't.
+
+use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
+
+use crate::layers::{absent, domain_name, elements, layer_losses, metadata_losses, one_line, point_loss};
+use crate::ply::layers::usual;
+use crate::ply::scalar::Scalar;
+use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES};
+use crate::{Encoding, Loss, LossKind};
+
+/// The properties of a file to be written.
+pub(super) struct Plan<'a> {
+    /// The type of the coordinates.
+    pub(super) position: Scalar,
+    /// The type of the numbers of corners.
+    pub(super) degree: Scalar,
+    pub(super) vertex: Vec<Column<'a>>,
+    pub(super) face: Vec<Column<'a>>,
+    losses: Vec<Loss>,
+}
+
+/// A property to be written.
+pub(super) struct Column<'a> {
+    pub(super) name: String,
+    pub(super) layer: &'a Layer,
+    pub(super) item: Scalar,
+    pub(super) shape: Shape,
+}
+
+/// How a property gets its values from a layer.
+#[derive(Clone, Copy)]
+pub(super) enum Shape {
+    /// One of the numbers of each value.
+    Component(usize),
+    /// Each value is a list, with its length in this type.
+    List(Scalar),
+    /// The values of a face's corners, one after the other, with their number in this type.
+    Corners(Scalar),
+}
+
+/// The keys of metadata that are written.
+const KEYS: [&str; 3] = ["comment", "obj_info", PROPERTY_NAMES];
+
+pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
+    let plan = Plan::of(mesh);
+    let mut losses = layer_losses(mesh, &plan.layers());
+    losses.extend(plan.losses);
+    losses.extend(point_loss(mesh));
+    losses.extend(metadata_losses(mesh, &KEYS));
+    let statements = mesh.metadata().iter().filter(|m| KEYS.contains(&m.key.as_str()));
+    let other = statements.filter(|m| header_line(&m.value) != m.value).count();
+    losses.extend(Loss::if_any(LossKind::Names, other, |n| format!("{n} comments are spelled otherwise")));
+    losses
+}
+
+/// A statement as a line of a header, in which `end_header` stands for the end alone.
+pub(super) fn header_line(value: &[u8]) -> Vec<u8> {
+    const END: &[u8] = b"end_header";
+    let mut line = one_line(value).into_owned();
+    while let Some(at) = line.windows(END.len()).position(|window| window == END) {
+        line[at + 3] = b'-';
+    }
+    line
+}
+
+impl<'a> Plan<'a> {
+    pub(super) fn of(mesh: &'a PolygonMesh) -> Self {
+        let is_single = |x: &f64| f64::from(*x as f32).to_bits() == x.to_bits();
+        let all_single = mesh.positions().iter().flatten().all(is_single);
+        let faces = mesh.faces();
+        let most = if faces.is_all_triangles() { 3 } else { faces.faces().map(|f| faces.corner_range(f).len()).max().unwrap_or(0) };
+        let mut plan = Plan {
+            position: if all_single { Scalar::F32 } else { Scalar::F64 },
+            degree: Scalar::counting(most),
+            vertex: Vec::new(),
+            face: Vec::new(),
+            losses: Vec::new(),
+        };
+        for layer in mesh.layers() {
+            plan.add(mesh, layer, most);
+        }
+        plan
+    }
+
+    fn layers(&self) -> Vec<&'a Layer> {
+        self.vertex.iter().chain(&self.face).map(|column| column.layer).collect()
+    }
+
+    fn add(&mut self, mesh: &'a PolygonMesh, layer: &'a Layer, most_corners: usize) {
+        match (layer.domain(), layer.values()) {
+            (_, Values::Text(_)) => {}
+            (Domain::Corner, Values::Lists { .. }) => {}
+            (Domain::Corner, values) => {
+                let Some(item) = Scalar::of(values) else { return };
+                let is_usual = layer.name() == "texcoord" && layer.width() == 2;
+                let prefix = if is_usual { "" } else { CORNER_PREFIX };
+                let shape = Shape::Corners(Scalar::counting(most_corners.saturating_mul(layer.width())));
+                self.push(layer, format!("{prefix}{}", layer.name()), item, shape);
+                self.note_absent(layer, partly_absent(mesh, layer));
+            }
+            (_, Values::Lists { starts, items }) if layer.width() == 1 => {
+                let Some(item) = Scalar::of(items) else { return };
+                let most = starts.windows(2).map(|pair| (pair[1] - pair[0]) as usize).max().unwrap_or(0);
+                self.push(layer, layer.name().to_owned(), item, Shape::List(Scalar::counting(most)));
+                self.note_absent(layer, absent(layer));
+            }
+            (_, Values::Lists { .. }) => {}
+            (_, values) => {
+                let Some(item) = Scalar::of(values) else { return };
+                for (component, name) in names(mesh, layer).into_iter().enumerate() {
+                    self.push(layer, name, item, Shape::Component(component));
+                }
+                self.note_absent(layer, absent(layer));
+            }
+        }
+    }
+
+    fn push(&mut self, layer: &'a Layer, name: String, item: Scalar, shape: Shape) {
+        let columns = if layer.domain() == Domain::Vertex { &mut self.vertex } else { &mut self.face };
+        let reserved: &[&str] =
+            if layer.domain() == Domain::Vertex { &["x", "y", "z"] } else { &["vertex_indices", "vertex_index"] };
+        let is_blank = |c: char| c.is_whitespace() || c.is_control();
+        let mut spelled: String = name.chars().map(|c| if is_blank(c) { '_' } else { c }).collect();
+        while spelled.is_empty() || reserved.contains(&&*spelled) || columns.iter().any(|c| c.name == spelled) {
+            spelled.push('_');
+        }
+        if spelled != name {
+            let message = format!("property `{name}` is called `{spelled}`");
+            self.losses.push(Loss::new(LossKind::Names, 1, message));
+        }
+        columns.push(Column { name: spelled, layer, item, shape });
+    }
+
+    fn note_absent(&mut self, layer: &Layer, count: usize) {
+        self.losses.extend(Loss::if_any(LossKind::AbsentValue, count, |count| {
+            let (domain, name) = (domain_name(layer.domain()), layer.name());
+            format!("that {count} {} have no {domain} attribute `{name}`", elements(layer))
+        }));
+    }
+}
+
+/// The names of the properties that a layer is spread over.
+fn names(mesh: &PolygonMesh, layer: &Layer) -> Vec<String> {
+    let width = layer.width();
+    let prefix = format!("{} {} ", domain_name(layer.domain()), layer.name());
+    let said = mesh.metadata().iter().filter(|m| m.key == PROPERTY_NAMES).find_map(|m| {
+        let names = m.value.strip_prefix(prefix.as_bytes())?;
+        let names: Vec<String> = String::from_utf8_lossy(names).split(' ').map(str::to_owned).collect();
+        (names.len() == width).then_some(names)
+    });
+    match usual(layer.name(), width) {
+        Some(usual) => said.unwrap_or_else(|| usual.members.iter().map(|&name| name.to_owned()).collect()),
+        None if width == 1 => vec![layer.name().to_owned()],
+        None => (0..width).map(|i| format!("{}_{i}", layer.name())).collect(),
+    }
+}
+
+/// How many corners have no value while others of their face have one.
+fn partly_absent(mesh: &PolygonMesh, layer: &Layer) -> usize {
+    if layer.is_direct() {
+        return 0;
+    }
+    let faces = mesh.faces();
+    let absent_in = |range: std::ops::Range<usize>| {
+        let degree = range.len();
+        let absent = range.filter(|&corner| layer.value_of(corner).is_none()).count();
+        if absent == degree { 0 } else { absent }
+    };
+    faces.faces().map(|face| absent_in(faces.corner_range(face))).sum()
+}
+
+impl Column<'_> {
+    /// Which value an element uses, or for a face of a corner layer whether any of its corners uses one.
+    pub(super) fn value_of(&self, element: usize) -> Option<usize> {
+        self.layer.value_of(element)
+    }
+
+    /// How many numbers a face's list has: none when no corner has a value.
+    pub(super) fn corner_values(&self, corners: std::ops::Range<usize>) -> usize {
+        let has_any = corners.clone().any(|corner| self.layer.value_of(corner).is_some());
+        if has_any { corners.len() * self.layer.width() } else { 0 }
+    }
+}
+
+/// The index of a vertex as it is written.
+pub(super) fn index(vertex: meshmend_core::VertexId) -> i64 {
+    vertex.index() as i64
+}

@@ -1,0 +1,292 @@
+//! The PLY reader: element after element, in the order of the header.
+
+use meshmend_core::{Id, VertexId};
+
+use crate::assemble::Parts;
+use crate::ply::binary::Binary;
+use crate::ply::columns::{Columns, skip};
+use crate::ply::data::Data;
+use crate::ply::header::{self, Element, Form, Header};
+use crate::ply::interpret::{Rows, face_layers, vertex_layers};
+use crate::ply::plain::Plain;
+use crate::read::{Parsed, Source};
+use crate::{Limits, NoteKind, Place, ReadError};
+
+/// The elements that are understood.
+pub(super) const KNOWN_ELEMENTS: [&str; 4] = ["vertex", "face", "tristrips", "edge"];
+
+pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
+    let mut parts = Parts::default();
+    let header = header::read(source, &mut parts, limits)?;
+    let at = header.end;
+    match header.form {
+        Form::Ascii => read_body(source, limits, &header, parts, Plain::new(source, at)),
+        Form::LittleEndian => read_body(source, limits, &header, parts, Binary::<false>::new(source, at)),
+        Form::BigEndian => read_body(source, limits, &header, parts, Binary::<true>::new(source, at)),
+    }
+}
+
+fn read_body(
+    source: &Source<'_>,
+    limits: &Limits,
+    header: &Header,
+    parts: Parts,
+    mut data: impl Data,
+) -> Result<Parsed, ReadError> {
+    let mut reader = Reader { source, limits, parts, vertices: None, faces: None };
+    for element in &header.elements {
+        data.check_rows(element)?;
+        reader.element(element, &mut data)?;
+    }
+    let (surplus, at) = data.surplus();
+    let place = || place_of(source, header.form, at);
+    reader.parts.notes.add_many(NoteKind::SurplusData, "bytes after the data were skipped", surplus as u64, place);
+    reader.finish(header)
+}
+
+fn place_of(source: &Source<'_>, form: Form, at: usize) -> Place {
+    match form {
+        Form::Ascii => source.line(at),
+        _ => Place::Byte(at as u64),
+    }
+}
+
+struct Reader<'a> {
+    source: &'a Source<'a>,
+    limits: &'a Limits,
+    parts: Parts,
+    vertices: Option<Rows<'a>>,
+    faces: Option<Rows<'a>>,
+}
+
+impl<'a> Reader<'a> {
+    fn element(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        match element.name.as_str() {
+            "vertex" => self.vertices(element, data),
+            "face" => self.faces(element, data),
+            "tristrips" => self.strips(element, data),
+            "edge" => self.edges(element, data),
+            name => {
+                self.note_skipped(&format!("element `{name}` is not understood and was skipped"), element.count, element);
+                skip(element, data)
+            }
+        }
+    }
+
+    fn note_skipped(&mut self, message: &str, count: u64, element: &Element) {
+        let (source, at) = (self.source, element.at);
+        self.parts.notes.add_many(NoteKind::SkippedElement, message, count, || source.line(at));
+    }
+
+    fn vertices(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        self.source.limited("vertices", element.count, self.limits.max_vertices)?;
+        let axis = |name: &str| {
+            let is_axis = |property: &header::Property| property.name == name && property.length.is_none();
+            let missing = || self.missing(element, &format!("vertices without a number `{name}`"));
+            element.properties.iter().position(is_axis).ok_or_else(missing)
+        };
+        let axes = [axis("x")?, axis("y")?, axis("z")?];
+        let mut columns = Columns::new(element);
+        if let Some(rows) = data.fixed_rows(element)? {
+            let offset = |column: usize| element.properties[..column].iter().map(|p| p.item.size()).sum::<usize>();
+            self.parts.positions = rows.points(axes.map(|column| (element.properties[column].item, offset(column))));
+            for column in (0..element.properties.len()).filter(|column| !axes.contains(column)) {
+                rows.extend(&mut columns.values[column], offset(column));
+            }
+        } else {
+            self.vertex_rows(element, axes, &mut columns, data)?;
+        }
+        self.vertices = Some(Rows { element, columns, taken: axes.to_vec(), first: 0, corner_starts: Vec::new() });
+        Ok(())
+    }
+
+    fn vertex_rows(
+        &mut self,
+        element: &Element,
+        axes: [usize; 3],
+        columns: &mut Columns,
+        data: &mut impl Data,
+    ) -> Result<(), ReadError> {
+        for _ in 0..element.count {
+            let mut point = [0.0; 3];
+            for (column, property) in element.properties.iter().enumerate() {
+                match axes.iter().position(|&axis| axis == column) {
+                    Some(axis) => point[axis] = data.number(property.item)?,
+                    None => columns.read(element, column, data)?,
+                }
+            }
+            self.parts.positions.push(point);
+        }
+        Ok(())
+    }
+
+    fn faces(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        self.source.limited("faces", element.count, self.limits.max_faces)?;
+        let Some(list) = index_list(element) else {
+            if element.count == 0 {
+                return Ok(());
+            }
+            return Err(self.missing(element, "faces without a list `vertex_indices` or `vertex_index`"));
+        };
+        let mut columns = Columns::new(element);
+        let first = self.parts.faces.face_count();
+        // Only lists beside the indices can be corner layers, which need to know whose corners are whose.
+        let has_lists = element.properties.iter().filter(|property| property.length.is_some()).count() > 1;
+        let mut corner_starts = Vec::new();
+        for _ in 0..element.count {
+            if has_lists {
+                corner_starts.push(self.parts.faces.corner_count() as u32);
+            }
+            for column in 0..element.properties.len() {
+                if column == list {
+                    self.face(&element.properties[column], data)?;
+                } else {
+                    columns.read(element, column, data)?;
+                }
+            }
+        }
+        corner_starts.push(self.parts.faces.corner_count() as u32);
+        self.faces = Some(Rows { element, columns, taken: vec![list], first, corner_starts });
+        Ok(())
+    }
+
+    #[inline]
+    fn face(&mut self, property: &header::Property, data: &mut impl Data) -> Result<(), ReadError> {
+        let length = property.length.unwrap_or(property.item);
+        let count = data.length(length, property.item)?;
+        let corners = self.parts.faces.corner_count() as u64 + count as u64;
+        if corners > self.limits.max_corners {
+            self.source.limited("corners", corners, self.limits.max_corners)?;
+        }
+        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
+        let mut wrong = None;
+        data.indices(property.item, count, |index, at| match u32::try_from(index) {
+            Ok(index) => {
+                highest.see(index, at);
+                faces.push_corner(VertexId(index));
+            }
+            Err(_) => wrong = wrong.or(Some((index, at))),
+        })?;
+        faces.end_face();
+        match wrong {
+            None => Ok(()),
+            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
+        }
+    }
+
+    /// Triangle strips: each vertex after the first two makes a triangle with the two before it, every second
+    /// one reversed; −1 begins a new strip.
+    fn strips(&mut self, element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
+        let Some(list) = index_list(element) else {
+            self.note_skipped("element `tristrips` has no indices and was skipped", element.count, element);
+            return skip(element, data);
+        };
+        let other = element.properties.len() as u64 - 1;
+        self.note_skipped("properties of triangle strips were skipped", other, element);
+        let mut columns = Columns::new(element);
+        for _ in 0..element.count {
+            for (column, property) in element.properties.iter().enumerate() {
+                if column == list {
+                    self.strip(property, data)?;
+                } else {
+                    columns.read(element, column, data)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn strip(&mut self, property: &header::Property, data: &mut impl Data) -> Result<(), ReadError> {
+        let length = property.length.unwrap_or(property.item);
+        let count = data.length(length, property.item)?;
+        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
+        let (mut before, mut seen, mut wrong) = ([VertexId(0); 2], 0_usize, None);
+        data.indices(property.item, count, |index, at| {
+            let Ok(index) = u32::try_from(index) else {
+                if index != -1 {
+                    wrong = wrong.or(Some((index, at)));
+                }
+                seen = 0;
+                return;
+            };
+            highest.see(index, at);
+            let [a, b] = before;
+            if seen >= 2 {
+                let [a, b] = if seen % 2 == 0 { [a, b] } else { [b, a] };
+                faces.push_face([a, b, VertexId(index)]);
+            }
+            (before, seen) = ([b, VertexId(index)], seen + 1);
+        })?;
+        let (faces, corners) = (faces.face_count() as u64, faces.corner_count() as u64);
+        self.source.limited("faces", faces, self.limits.max_faces)?;
+        self.source.limited("corners", corners, self.limits.max_corners)?;
+        match wrong {
+            None => Ok(()),
+            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
+        }
+    }
+
+    fn edges(&mut self, element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
+        let end = |name: &str| element.properties.iter().position(|p| p.name == name && p.length.is_none());
+        let (Some(one), Some(other)) = (end("vertex1"), end("vertex2")) else {
+            self.note_skipped("element `edge` has no `vertex1` and `vertex2` and was skipped", element.count, element);
+            return skip(element, data);
+        };
+        let more = element.properties.len() as u64 - 2;
+        let message = "properties of loose edges were skipped";
+        let (source, at) = (self.source, element.at);
+        self.parts.notes.add_many(NoteKind::LooseAttribute, message, more, || source.line(at));
+        for _ in 0..element.count {
+            let mut ends = [VertexId(0); 2];
+            for (column, property) in element.properties.iter().enumerate() {
+                match (property.length, [one, other].iter().position(|&end| end == column)) {
+                    (_, Some(place)) => ends[place] = self.edge_end(property, data)?,
+                    (None, None) => drop(data.number(property.item)?),
+                    (Some(length), None) => {
+                        let count = data.length(length, property.item)?;
+                        (0..count).try_for_each(|_| data.number(property.item).map(drop))?;
+                    }
+                }
+            }
+            self.parts.loose_edges.push(ends);
+        }
+        Ok(())
+    }
+
+    fn edge_end(&mut self, property: &header::Property, data: &mut impl Data) -> Result<VertexId, ReadError> {
+        let mut found = (0, 0);
+        data.indices(property.item, 1, |index, at| found = (index, at))?;
+        let (index, at) = found;
+        let index = u32::try_from(index);
+        let index = index.map_err(|_| data.wrong(at, &format!("{} is no index of a vertex", found.0)))?;
+        self.parts.highest.see(index, at);
+        Ok(VertexId::new(index as usize))
+    }
+
+    fn missing(&self, element: &Element, reason: &str) -> ReadError {
+        self.source.malformed(self.source.line(element.at), reason)
+    }
+
+    fn finish(mut self, header: &Header) -> Result<Parsed, ReadError> {
+        let Some(vertices) = self.vertices.take() else {
+            return Err(self.source.malformed(Place::File, "no element `vertex`"));
+        };
+        vertex_layers(vertices, &mut self.parts);
+        if let Some(faces) = self.faces.take() {
+            face_layers(faces, &mut self.parts);
+        }
+        let (mesh, notes) = self.parts.assemble(self.source, 0, |at| place_of(self.source, header.form, at))?;
+        let variant = match header.form {
+            Form::Ascii => "ply-ascii",
+            Form::LittleEndian => "ply-le",
+            Form::BigEndian => "ply-be",
+        };
+        Ok(Parsed { mesh, variant, notes })
+    }
+}
+
+/// The list of vertex indices among an element's properties.
+fn index_list(element: &Element) -> Option<usize> {
+    let is_named = |p: &header::Property| p.name == "vertex_indices" || p.name == "vertex_index";
+    element.properties.iter().position(|property| is_named(property) && property.length.is_some())
+}

@@ -1,0 +1,131 @@
+//! Reading: find the format, check the size, hand the bytes to the format's reader.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use meshmend_core::PolygonMesh;
+
+use crate::note::Notes;
+use crate::{Format, Limits, Note, Place, ReadError, ReadErrorKind};
+
+/// How to read.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ReadOptions {
+    /// What a file may hold at most.
+    pub limits: Limits,
+    /// The format, where name and content don't matter.
+    pub format: Option<Format>,
+}
+
+/// What a file holds.
+#[derive(Clone, Debug)]
+pub struct ReadFile {
+    /// The mesh.
+    pub mesh: PolygonMesh,
+    /// The format that the file has.
+    pub format: Format,
+    /// Which form of it: `obj`, `off`, `ply-ascii`, `ply-le`, `ply-be`, `stl-ascii` or `stl-binary`.
+    pub variant: &'static str,
+    /// What in the file is not in the mesh, or not as the file has it; sorted by kind.
+    pub notes: Vec<Note>,
+}
+
+/// Reads a mesh file. Its name tells the format; a name without a known extension lets the content tell.
+///
+/// No other file is opened, whatever this one names.
+///
+/// # Errors
+/// When the system can't read it, its format is not known, its content is malformed or beyond the limits.
+///
+/// *Cost*: the whole file is held in memory while it is read; time is linear in its size.
+pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
+    let name = path.display().to_string();
+    let bytes = read_whole(path, options.limits.max_file_bytes)
+        .map_err(|kind| ReadError { file: name.clone(), place: Place::File, kind })?;
+    read_as(&bytes, &name, options.format.or_else(|| Format::from_path(path)), &options.limits)
+}
+
+/// Reads a mesh from bytes, without a file system. The name tells the format as in [`read`], and stands in errors.
+///
+/// # Errors
+/// As [`read`], apart from the system.
+pub fn read_bytes(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<ReadFile, ReadError> {
+    read_as(bytes, name, options.format.or_else(|| Format::from_path(Path::new(name))), &options.limits)
+}
+
+/// The bytes of a file with its name for errors.
+pub(crate) struct Source<'a> {
+    pub(crate) bytes: &'a [u8],
+    pub(crate) name: &'a str,
+}
+
+/// What a format's reader found.
+pub(crate) struct Parsed {
+    pub(crate) mesh: PolygonMesh,
+    pub(crate) variant: &'static str,
+    pub(crate) notes: Notes,
+}
+
+impl Source<'_> {
+    pub(crate) fn malformed(&self, place: Place, reason: impl Into<String>) -> ReadError {
+        ReadError { file: self.name.to_owned(), place, kind: ReadErrorKind::Malformed(reason.into()) }
+    }
+
+    /// An error unless `found` is within the limit.
+    pub(crate) fn limited(&self, what: &'static str, found: u64, limit: u64) -> Result<(), ReadError> {
+        if found <= limit {
+            return Ok(());
+        }
+        let kind = ReadErrorKind::LimitExceeded { what, found, limit };
+        Err(ReadError { file: self.name.to_owned(), place: Place::File, kind })
+    }
+
+    /// The line of a byte.
+    pub(crate) fn line(&self, at: usize) -> Place {
+        Place::Line(crate::text::line_number(self.bytes, at))
+    }
+}
+
+fn read_as(
+    bytes: &[u8],
+    name: &str,
+    format: Option<Format>,
+    limits: &Limits,
+) -> Result<ReadFile, ReadError> {
+    let source = Source { bytes, name };
+    source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
+    let extension_is_known = Path::new(name).extension().is_some_and(is_foreign);
+    let format = match format {
+        None if !extension_is_known => Format::from_content(bytes),
+        format => format,
+    };
+    let unknown = || ReadError { file: name.to_owned(), place: Place::File, kind: ReadErrorKind::UnknownFormat };
+    let format = format.ok_or_else(unknown)?;
+    let parsed = (format.driver().read)(&source, &limits.within_a_mesh())?;
+    Ok(ReadFile { mesh: parsed.mesh, format, variant: parsed.variant, notes: parsed.notes.into_list() })
+}
+
+/// Whether an extension stands for a mesh format that is not read here.
+fn is_foreign(extension: &std::ffi::OsStr) -> bool {
+    const FOREIGN: [&str; 10] = ["gltf", "glb", "3mf", "fbx", "dae", "x3d", "wrl", "3ds", "amf", "usdz"];
+    FOREIGN.iter().any(|foreign| extension.eq_ignore_ascii_case(foreign))
+}
+
+fn read_whole(path: &Path, limit: u64) -> Result<Vec<u8>, ReadErrorKind> {
+    let file = File::open(path).map_err(ReadErrorKind::Io)?;
+    let status = file.metadata().map_err(ReadErrorKind::Io)?;
+    if status.is_dir() {
+        return Err(ReadErrorKind::Io(io::Error::from(io::ErrorKind::IsADirectory)));
+    }
+    let exceeded = |found| ReadErrorKind::LimitExceeded { what: "bytes", found, limit };
+    if status.len() > limit {
+        return Err(exceeded(status.len()));
+    }
+    let mut bytes = Vec::with_capacity(status.len() as usize + 1);
+    file.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(ReadErrorKind::Io)?;
+    if bytes.len() as u64 > limit {
+        return Err(exceeded(bytes.len() as u64));
+    }
+    Ok(bytes)
+}

@@ -1,0 +1,81 @@
+//! STL: facets with three coordinates a corner, as text or binary; no indices.
+//!
+//! Each facet has vertices of its own: nothing is welded here. Coordinates are single precision in both forms.
+//! Stored normals are ignored, and computed afresh when written.
+//!
+//! **Which form.** A file of exactly 84 + 50 n bytes for its own count n is binary, whatever its header says,
+//! unless all of it reads as text. Any other file that begins with `solid` is text, unless it does not read as
+//! such and has room for the facets that its count says. Anything else is binary.
+//!
+//! **Binary.** Fewer bytes than the count says are an error; so is room for one more facet or beyond, as the
+//! count then hides facets. Fewer surplus bytes are skipped and noted. The header is metadata, `attribute bytes`
+//! are the face layer `attribute` if one of them is not 0.
+//!
+//! **Text.** Words in any case, parted by any blanks and line ends. A facet with more than three vertices is a
+//! polygon; with fewer it is an error. The name of a single solid is metadata `solid`; those of several are the
+//! face layer `object`. A missing `endsolid` after a whole facet is noted.
+
+mod binary;
+mod plain;
+mod write;
+
+use crate::format::Driver;
+use crate::read::{Parsed, Source};
+use crate::text::{is_space, trimmed_start};
+use crate::{Encoding, Limits, Place, ReadError};
+
+pub(crate) static DRIVER: Driver = Driver {
+    name: "STL",
+    extensions: &["stl", "stla", "stlb"],
+    encodings: &[Encoding::LittleEndian, Encoding::Ascii],
+    sniff,
+    read,
+    encode: write::encode,
+    losses: write::losses,
+};
+
+/// The length of the header and the count of a binary file.
+const HEAD: usize = 84;
+/// The length of a facet in a binary file.
+const FACET: usize = 50;
+/// The key of metadata that holds the header of a binary file.
+const HEADER: &str = "stl-header";
+/// The key of metadata that holds the name of a single solid.
+const SOLID: &str = "solid";
+
+fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
+    let claimed = binary::claimed_length(source.bytes);
+    let (length, is_text) = (source.bytes.len() as u64, begins_with_solid(source.bytes));
+    if !is_text {
+        return match claimed {
+            Some(_) => binary::read(source, limits),
+            None if source.bytes.is_empty() => Err(source.malformed(Place::File, "the file is empty")),
+            None => Err(source.malformed(Place::Byte(length), "neither text nor as long as a binary header")),
+        };
+    }
+    match (plain::read(source, limits), claimed) {
+        (Ok(parsed), _) => Ok(parsed),
+        (Err(_), Some(claimed)) if claimed <= length => binary::read(source, limits),
+        (Err(_), Some(_)) if has_binary_count(source.bytes) => binary::read(source, limits),
+        (Err(error), _) => Err(error),
+    }
+}
+
+/// Text that begins with `solid` and a facet, or binary of exactly the length that it claims.
+fn sniff(bytes: &[u8]) -> bool {
+    let start = &bytes[..bytes.len().min(1 << 12)].to_ascii_lowercase();
+    let is_text = begins_with_solid(start) && start.windows(12).any(|window| window == b"facet normal");
+    let is_exact = binary::claimed_length(bytes) == Some(bytes.len() as u64) && bytes.len() > HEAD;
+    is_text || is_exact
+}
+
+fn begins_with_solid(bytes: &[u8]) -> bool {
+    let start = trimmed_start(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
+    let word = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    word && start.get(5).is_none_or(|&next| is_space(next) || next == 0)
+}
+
+/// Whether the place of the count holds bytes that no text has.
+fn has_binary_count(bytes: &[u8]) -> bool {
+    bytes[HEAD - 4..HEAD].iter().any(|&b| b < b' ' && !is_space(b))
+}

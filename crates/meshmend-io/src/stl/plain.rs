@@ -1,0 +1,213 @@
+//! The reader of STL as text.
+
+use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values, VertexId};
+
+use std::collections::BTreeMap;
+
+use crate::assemble::Parts;
+use crate::read::{Parsed, Source};
+use crate::stl::SOLID;
+use crate::text::{self, is_space};
+use crate::{Limits, NoteKind, ReadError};
+
+pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
+    let at = if source.bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+    let mut reader = Reader { source, limits, at, parts: Parts::default(), solids: Vec::new() };
+    while reader.next() < source.bytes.len() {
+        reader.solid()?;
+    }
+    reader.finish()
+}
+
+struct Reader<'a> {
+    source: &'a Source<'a>,
+    limits: &'a Limits,
+    at: usize,
+    parts: Parts,
+    /// Each solid's first face and name.
+    solids: Vec<(usize, &'a [u8])>,
+}
+
+impl<'a> Reader<'a> {
+    fn solid(&mut self) -> Result<(), ReadError> {
+        self.expect("solid")?;
+        let name = self.name();
+        self.solids.push((self.parts.faces.face_count(), name));
+        loop {
+            let start = self.next();
+            if start == self.source.bytes.len() {
+                return self.missing_end(start);
+            }
+            if self.accept("facet") {
+                self.facet(start)?;
+            } else if self.accept("endsolid") {
+                self.pass_end_name();
+                return Ok(());
+            } else {
+                return Err(self.unexpected("`facet` or `endsolid`"));
+            }
+        }
+    }
+
+    /// The end of the file after a whole facet. Without any facet the file may have been cut.
+    fn missing_end(&mut self, at: usize) -> Result<(), ReadError> {
+        if self.solids.last().is_none_or(|&(first, _)| first == self.parts.faces.face_count()) {
+            return Err(self.wrong(at, "the file ends before the first facet of a solid"));
+        }
+        let source = self.source;
+        self.parts.notes.add(NoteKind::MissingEnd, "`endsolid` is missing", || source.line(at));
+        Ok(())
+    }
+
+    /// The rest of the line, or what stands before `facet` in it.
+    fn name(&mut self) -> &'a [u8] {
+        let end = text::line_end(self.source.bytes, self.at);
+        let line = &self.source.bytes[self.at..end];
+        let length = word_place(line, &["facet", "endsolid"]).unwrap_or(line.len());
+        self.at += length;
+        text::trimmed(&line[..length])
+    }
+
+    /// The rest of the line, or what stands before the next solid in it.
+    fn pass_end_name(&mut self) {
+        let end = text::line_end(self.source.bytes, self.at);
+        let line = &self.source.bytes[self.at..end];
+        let next_solid = word_place(line, &["facet"]).and_then(|facet| word_place(&line[..facet], &["solid"]));
+        self.at += next_solid.unwrap_or(line.len());
+    }
+
+    fn facet(&mut self, start: usize) -> Result<(), ReadError> {
+        self.pass_normal()?;
+        self.expect("loop")?;
+        let first = self.parts.positions.len();
+        while self.accept("vertex") {
+            let point = [self.coordinate()?, self.coordinate()?, self.coordinate()?];
+            self.parts.faces.push_corner(VertexId(self.parts.positions.len() as u32));
+            self.parts.positions.push(point);
+        }
+        let count = self.parts.positions.len() - first;
+        self.expect("endloop")?;
+        self.expect("endfacet")?;
+        if count < 3 {
+            return Err(self.wrong(start, &format!("a facet with {count} vertices")));
+        }
+        self.parts.faces.end_face();
+        let vertices = self.parts.positions.len() as u64;
+        self.source.limited("vertices", vertices, self.limits.max_vertices.min(self.limits.max_corners))?;
+        self.source.limited("faces", self.parts.faces.face_count() as u64, self.limits.max_faces)
+    }
+
+    /// `normal` and its numbers, whatever they are: they are not used. Ends after `outer`.
+    fn pass_normal(&mut self) -> Result<(), ReadError> {
+        const MOST_WORDS: usize = 4;
+        for _ in 0..=MOST_WORDS {
+            if self.accept("outer") {
+                return Ok(());
+            }
+            let start = self.next();
+            self.at += text::word(self.source.bytes, start).len();
+        }
+        self.at = self.next();
+        Err(self.unexpected("`outer`"))
+    }
+
+    fn coordinate(&mut self) -> Result<f64, ReadError> {
+        let start = self.next();
+        let bytes = &self.source.bytes[start..];
+        let ended = |length: usize| bytes.get(length).is_none_or(|&b| is_space(b));
+        match text::real::<f32>(bytes) {
+            Some((value, length)) if ended(length) => {
+                self.at += length;
+                Ok(f64::from(value))
+            }
+            _ => Err(self.unexpected("a number")),
+        }
+    }
+
+    /// Skips blanks and line ends; the place of the next word.
+    #[inline]
+    fn next(&mut self) -> usize {
+        let bytes = &self.source.bytes[self.at..];
+        self.at += bytes.iter().position(|&b| !is_space(b)).unwrap_or(bytes.len());
+        self.at
+    }
+
+    /// Passes over the next word if it is this one.
+    #[inline]
+    fn accept(&mut self, word: &str) -> bool {
+        let start = self.next();
+        let bytes = &self.source.bytes[start..];
+        let is_word = bytes.get(..word.len()).is_some_and(|found| found.eq_ignore_ascii_case(word.as_bytes()))
+            && bytes.get(word.len()).is_none_or(|&b| is_space(b));
+        if is_word {
+            self.at += word.len();
+        }
+        is_word
+    }
+
+    #[inline]
+    fn expect(&mut self, word: &str) -> Result<(), ReadError> {
+        if self.accept(word) { Ok(()) } else { Err(self.unexpected(&format!("`{word}`"))) }
+    }
+
+    #[cold]
+    fn unexpected(&self, what: &str) -> ReadError {
+        let found = text::word(self.source.bytes, self.at);
+        if found.is_empty() {
+            return self.wrong(self.at, &format!("the file ends where {what} belongs"));
+        }
+        self.wrong(self.at, &format!("`{}` where {what} belongs", text::shown(found)))
+    }
+
+    #[cold]
+    fn wrong(&self, at: usize, reason: &str) -> ReadError {
+        self.source.malformed(self.source.line(at), reason)
+    }
+
+    fn finish(mut self) -> Result<Parsed, ReadError> {
+        match self.solids[..] {
+            [] => return Err(self.wrong(self.at, "no solid")),
+            [(_, name)] if !name.is_empty() => {
+                self.parts.metadata.push(Metadata { key: SOLID.to_owned(), value: name.to_vec() });
+            }
+            [_] => {}
+            _ => {
+                let layer = objects(&self.solids, self.parts.faces.face_count());
+                self.parts.layers.push(layer);
+            }
+        }
+        let source = self.source;
+        let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
+        Ok(Parsed { mesh, variant: "stl-ascii", notes })
+    }
+}
+
+/// The names of several solids as a face layer; no name is no value.
+fn objects(solids: &[(usize, &[u8])], faces: usize) -> Layer {
+    let (mut pool, mut known, mut uses) = (Vec::new(), BTreeMap::new(), vec![NO_VALUE; faces]);
+    let ends = solids.iter().skip(1).map(|&(first, _)| first).chain([faces]);
+    for (&(first, name), end) in solids.iter().zip(ends) {
+        if name.is_empty() || first == end {
+            continue;
+        }
+        let value = *known.entry(name).or_insert_with(|| {
+            pool.push(name.to_vec());
+            pool.len() as u32 - 1
+        });
+        uses[first..end].fill(value);
+    }
+    Layer::indexed("object", Domain::Face, 1, Carry::Copy, Values::Text(pool), uses)
+}
+
+/// Where the first of some words stands in a line.
+fn word_place(line: &[u8], words: &[&str]) -> Option<usize> {
+    let mut at = 0;
+    while at < line.len() {
+        let word = text::word(line, at);
+        if words.iter().any(|known| word.eq_ignore_ascii_case(known.as_bytes())) {
+            return Some(at);
+        }
+        at += word.len() + 1;
+    }
+    None
+}

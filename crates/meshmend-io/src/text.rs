@@ -1,0 +1,201 @@
+//! Text as bytes: blanks, line ends and numbers, without a look at its character encoding.
+
+use fast_float2::FastFloat;
+
+/// Space, tabulator, vertical tabulator and form feed.
+#[inline]
+pub(crate) fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | 0x0b | 0x0c)
+}
+
+/// Line feed and carriage return: each of them, and both together, ends a line.
+#[inline]
+pub(crate) fn is_line_end(byte: u8) -> bool {
+    matches!(byte, b'\n' | b'\r')
+}
+
+/// Blanks and line ends.
+#[inline]
+pub(crate) fn is_space(byte: u8) -> bool {
+    is_blank(byte) || is_line_end(byte)
+}
+
+/// The line of a byte, counted from 1. Lines end with LF, CR LF or CR.
+///
+/// *Cost*: one pass over the bytes before it; only for messages.
+pub(crate) fn line_number(bytes: &[u8], at: usize) -> u64 {
+    let before = &bytes[..at.min(bytes.len())];
+    let ends = before.iter().enumerate().filter(|&(i, &byte)| match byte {
+        b'\n' => true,
+        b'\r' => bytes.get(i + 1) != Some(&b'\n'),
+        _ => false,
+    });
+    ends.count() as u64 + 1
+}
+
+/// The place of the next line end at or after a byte, or the end.
+pub(crate) fn line_end(bytes: &[u8], at: usize) -> usize {
+    bytes[at..].iter().position(|&byte| is_line_end(byte)).map_or(bytes.len(), |length| at + length)
+}
+
+/// The place of the line after the one whose end is here.
+pub(crate) fn after_line_end(bytes: &[u8], end: usize) -> usize {
+    match (bytes.get(end), bytes.get(end + 1)) {
+        (Some(b'\r'), Some(b'\n')) => end + 2,
+        (Some(_), _) => end + 1,
+        (None, _) => end,
+    }
+}
+
+/// The bytes without blanks and line ends at both ends.
+pub(crate) fn trimmed(bytes: &[u8]) -> &[u8] {
+    let start = bytes.iter().position(|&b| !is_space(b)).unwrap_or(bytes.len());
+    let end = bytes.iter().rposition(|&b| !is_space(b)).map_or(start, |last| last + 1);
+    &bytes[start..end]
+}
+
+/// The bytes without blanks and line ends at their start.
+pub(crate) fn trimmed_start(bytes: &[u8]) -> &[u8] {
+    let start = bytes.iter().position(|&b| !is_space(b)).unwrap_or(bytes.len());
+    &bytes[start..]
+}
+
+/// What a comment says: without the blank that parts it from its sign, and without blanks at its end.
+pub(crate) fn comment_text(bytes: &[u8]) -> &[u8] {
+    let end = bytes.iter().rposition(|&b| !is_space(b)).map_or(0, |last| last + 1);
+    match bytes[..end].split_first() {
+        Some((&first, rest)) if is_blank(first) => rest,
+        _ => &bytes[..end],
+    }
+}
+
+/// The next run of bytes that are neither blanks nor line ends, and where it ends.
+pub(crate) fn word(bytes: &[u8], at: usize) -> &[u8] {
+    let length = bytes[at..].iter().position(|&b| is_space(b)).unwrap_or(bytes.len() - at);
+    &bytes[at..at + length]
+}
+
+/// The words of some bytes.
+pub(crate) fn words(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
+    bytes.split(|&b| is_space(b)).filter(|word| !word.is_empty())
+}
+
+/// Bytes as people may read them: short, and printable.
+pub(crate) fn shown(bytes: &[u8]) -> String {
+    const LONGEST: usize = 40;
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(LONGEST)]);
+    let printable = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c });
+    let ellipsis = if bytes.len() > LONGEST { "…" } else { "" };
+    printable.collect::<String>() + ellipsis
+}
+
+/// A number with a fraction at the start of some bytes, and how long it is. What ends it is for the caller to
+/// check; spellings of NaN and infinity of several run-time libraries are known.
+#[inline]
+pub(crate) fn real<T: FastFloat + From<f32>>(bytes: &[u8]) -> Option<(T, usize)> {
+    match fast_float2::parse_partial::<T, _>(bytes) {
+        Ok((value, length)) if bytes.get(length).is_none_or(|&next| !matches!(next, b'#' | b'(' | b'.')) => {
+            Some((value, length))
+        }
+        _ => odd_real(bytes),
+    }
+}
+
+/// `-nan(ind)`, `1.#INF`, `-1.#IND00` and their like.
+#[cold]
+fn odd_real<T: FastFloat + From<f32>>(bytes: &[u8]) -> Option<(T, usize)> {
+    let word = word(bytes, 0);
+    let (sign, rest) = match word.split_first() {
+        Some((b'-', rest)) => (-1.0_f32, rest),
+        Some((b'+', rest)) => (1.0, rest),
+        _ => (1.0, word),
+    };
+    let starts = |prefix: &[u8]| rest.len() >= prefix.len() && rest[..prefix.len()].eq_ignore_ascii_case(prefix);
+    let value = if starts(b"1.#inf") {
+        f32::INFINITY
+    } else if starts(b"nan(") || starts(b"1.#") {
+        f32::NAN
+    } else {
+        let (value, length) = fast_float2::parse_partial::<T, _>(bytes).ok()?;
+        return (bytes.get(length) != Some(&b'.')).then_some((value, length));
+    };
+    Some((T::from(sign * value), word.len()))
+}
+
+/// A run of digits at the start of some bytes, and how long it is; saturates at the largest number.
+#[inline]
+pub(crate) fn digits(bytes: &[u8]) -> Option<(u64, usize)> {
+    let (mut value, mut length) = (0_u64, 0);
+    while let Some(digit) = bytes.get(length).map(|byte| byte.wrapping_sub(b'0')).filter(|&digit| digit < 10) {
+        value = if length < 19 { value * 10 + u64::from(digit) } else { u64::MAX };
+        length += 1;
+    }
+    (length > 0).then_some((value, length))
+}
+
+/// A whole number with or without a sign at the start of some bytes, and how long it is; saturates.
+#[inline]
+pub(crate) fn integer(bytes: &[u8]) -> Option<(i64, usize)> {
+    let saturated = |value: u64| i64::try_from(value).unwrap_or(i64::MAX);
+    match bytes.first() {
+        Some(b'-') => digits(&bytes[1..]).map(|(value, length)| (-saturated(value), length + 1)),
+        Some(b'+') => digits(&bytes[1..]).map(|(value, length)| (saturated(value), length + 1)),
+        _ => digits(bytes).map(|(value, length)| (saturated(value), length)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_end_in_three_ways() {
+        let text = b"a\nb\r\nc\rd";
+        let lines: Vec<u64> = [0, 2, 5, 7].iter().map(|&at| line_number(text, at)).collect();
+        assert_eq!(lines, [1, 2, 3, 4]);
+        assert_eq!(after_line_end(text, line_end(text, 2)), 5);
+    }
+
+    #[test]
+    fn numbers_stop_where_they_end() {
+        assert_eq!(real::<f64>(b"-1.5e3 x"), Some((-1500.0, 6)));
+        assert_eq!(real::<f64>(b"+2,5"), Some((2.0, 2)));
+        assert_eq!(real::<f64>(b"1e400"), Some((f64::INFINITY, 5)));
+        assert_eq!(real::<f64>(b"1.2.3"), None);
+        assert_eq!(real::<f64>(b"1#c"), Some((1.0, 1)));
+        assert_eq!(real::<f64>(b"x"), None);
+        assert!(real::<f64>(b"-0").is_some_and(|(value, _)| value.is_sign_negative()));
+    }
+
+    #[test]
+    fn other_spellings_of_no_number_are_known() {
+        for text in ["nan", "NaN", "-nan(ind)", "1.#QNAN", "-1.#IND00"] {
+            let (value, length) = real::<f32>(text.as_bytes()).unwrap();
+            assert!(value.is_nan(), "{text}");
+            assert_eq!(length, text.len());
+        }
+        assert_eq!(real::<f32>(b"-1.#INF"), Some((f32::NEG_INFINITY, 7)));
+        assert_eq!(real::<f64>(b"-inf"), Some((f64::NEG_INFINITY, 4)));
+    }
+
+    #[test]
+    fn text_is_rounded_once_to_its_type() {
+        // Halfway between two single numbers in double precision, but not as written.
+        assert_eq!(real::<f32>(b"1.00000005960464477540"), Some((1.0000001, 22)));
+    }
+
+    #[test]
+    fn whole_numbers_saturate() {
+        assert_eq!(digits(b"18446744073709551617/"), Some((u64::MAX, 20)));
+        assert_eq!(integer(b"-9223372036854775808"), Some((-i64::MAX, 20)));
+        assert_eq!(integer(b"-12 "), Some((-12, 3)));
+        assert_eq!(integer(b"-"), None);
+    }
+
+    #[test]
+    fn comments_lose_one_blank_in_front_and_all_behind() {
+        assert_eq!(comment_text(b"  a b \r"), b" a b");
+        assert_eq!(comment_text(b"a"), b"a");
+        assert_eq!(comment_text(b"  "), b"");
+    }
+}

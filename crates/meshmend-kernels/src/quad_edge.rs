@@ -1,0 +1,479 @@
+//! The quad-edge structure: each edge knows what comes next about its two ends and its two faces, on either side.
+//!
+//! ```text
+//!             Dest                     a record an edge:   next   Onext for each quarter turn
+//!              │                                           ends   origin and destination
+//!      Left ···┼··· Right                                  faces  left and right
+//!              │                                           sides  the corners whose sides lie left and right
+//!             Org
+//!                          Turn an edge by a quarter and it is an edge of the dual, from face to face: vertices
+//!                          and faces are the same thing. Flip it and the surface is seen from its other side.
+//! ```
+//!
+//! The first side of an edge runs along its record, with the face on the left. The second one has its face on the
+//! right: it is the edge turned back (Sym), or, if both sides run the same way, the edge flipped (Flip). So no
+//! direction has to be chosen for the surface, and there need not be one. Along a boundary the right face is a
+//! *hole*, a face without corners that is numbered after the mesh's own.
+//!
+//! *Layout*: a record an edge (68 bytes, its slot included), a key an edge, an edge a corner, and a place to begin
+//! for each vertex and face: 136 bytes a triangle. The records are in a slot map: a reference is then a key
+//! that can't be taken for any other number, for 4 bytes more each than a plain index.
+//!
+//! *Admits* manifold meshes, orientable or not, their faces directed as they please, non-simple ones among them:
+//! what follows what is said of sides and never of vertices, so a face may come back to a vertex or an edge as long
+//! as the corners there form one umbrella.
+//!
+//! *Cost*: every query is constant time for each answer. The corners of a vertex come in rotational order:
+//! counter-clockwise as the face of its lowest corner runs, from the boundary on, or else from that corner.
+//!
+//! *Choose it* for surfaces without a side (Moebius bands, Klein bottles), and wherever the dual is wanted as much
+//! as the mesh.
+//!
+//! *Source*: L. Guibas, J. Stolfi, *Primitives for the manipulation of general subdivisions and the computation of
+//! Voronoi diagrams*, 1985; A. Belyaev, *Applied Computational Topology, Lecture 2*.
+
+mod algebra;
+
+use std::iter;
+
+use meshmend_core::{
+    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id,
+    ManifoldConnectivity, VertexId,
+};
+
+use crate::registry::Explained;
+use algebra::{Dart, QuadKey, Subdivision};
+
+/// The quad-edge structure of a manifold complex.
+#[derive(Clone, Debug)]
+pub struct QuadEdge {
+    edges: Subdivision<Labels>,
+    edge_quad: Column<EdgeId, QuadKey>,
+    corner_edge: Column<CornerId, EdgeId>,
+    /// Where the star begins: a dart out of the vertex with the first corner on its left.
+    vertex_dart: Column<VertexId, Option<Dart>>,
+    face_corner: Column<FaceId, CornerId>,
+    hole_count: usize,
+}
+
+/// What stands for the corner of a degenerate face, and of a hole: there are always fewer corners.
+const NO_CORNER: CornerId = CornerId(u32::MAX);
+
+/// What lies round an edge. A side's place, 0 or 1, is left or right of the record's own direction.
+#[derive(Clone, Copy, Debug)]
+struct Labels {
+    ends: [VertexId; 2],
+    faces: [FaceId; 2],
+    sides: [CornerId; 2],
+    runs: SecondSide,
+}
+
+/// How the second side of an edge lies to the first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum SecondSide {
+    Opposite,
+    SameWay,
+}
+
+impl QuadEdge {
+    /// How many holes the surface has, one for each boundary loop.
+    pub fn hole_count(&self) -> usize {
+        self.hole_count
+    }
+
+    /// Which hole lies beside a side, numbered by lowest edge; none for a side with an opposite.
+    ///
+    /// *Cost*: constant.
+    pub fn hole_beside(&self, corner: CornerId) -> Option<usize> {
+        let labels = self.labels(self.side_dart(corner));
+        labels.faces[1].index().checked_sub(self.face_corner.len())
+    }
+
+    /// The sides along the boundary loop that a side belongs to, from this one on, going backwards along it.
+    /// Nothing for a side with an opposite.
+    ///
+    /// *Cost*: constant for each side.
+    pub fn boundary_loop(&self, corner: CornerId) -> impl Iterator<Item = CornerId> + Clone {
+        let first = Some(self.side_dart(corner).sym()).filter(|&dart| self.side_left_of(dart) == NO_CORNER);
+        iter::successors(first, move |&dart| Some(self.edges.lnext(dart)).filter(|&next| Some(next) != first))
+            .map(|dart| self.labels(dart).sides[0])
+    }
+
+    fn labels(&self, dart: Dart) -> &Labels {
+        self.edges.label(dart.quad)
+    }
+
+    /// A corner's side as a dart with the corner's face on its left, directed as the face runs.
+    #[inline]
+    fn side_dart(&self, corner: CornerId) -> Dart {
+        let quad = self.edge_quad[self.corner_edge[corner]];
+        self.edges.label(quad).dart(quad, corner)
+    }
+
+    /// The side on the left of a dart, whichever way that runs; [`NO_CORNER`] for a hole's.
+    #[inline]
+    fn side_left_of(&self, dart: Dart) -> CornerId {
+        self.labels(dart).sides[left(dart)]
+    }
+
+    /// The corner between a dart and the next one counter-clockwise out of the same vertex. Of its two sides there
+    /// the corner owns the one that its face leaves along.
+    fn corner_left_of(&self, dart: Dart) -> CornerId {
+        let side = self.side_left_of(dart);
+        if self.labels(dart).dart(dart.quad, side) == dart {
+            side
+        } else {
+            self.side_left_of(self.edges.onext(dart).flip())
+        }
+    }
+}
+
+impl Explained for QuadEdge {
+    const EXPLANATION: &'static str = "Each edge knows the next edge about both of its ends and both of its faces, \
+        on either side of the surface: vertices and faces play the same part, and nothing has to be oriented. It \
+        holds any manifold mesh, orientable or not, with faces directed as they please and non-simple ones among \
+        them; boundary loops are marked hole faces. It takes 136 bytes a triangle; every query takes constant \
+        time for each answer, and the corners of a vertex come in rotational order. Source: L. Guibas and J. \
+        Stolfi, Primitives for the manipulation of general subdivisions and the computation of Voronoi diagrams, \
+        1985.";
+}
+
+impl Connectivity for QuadEdge {
+    const NAME: &'static str = "quad-edge";
+    const CAPABILITIES: Capabilities = Capabilities {
+        non_simple_faces: true,
+        non_manifold_edges: false,
+        non_manifold_vertices: false,
+        mixed_orientation: true,
+        polygons: true,
+        ordered_vertex_stars: true,
+    };
+
+    fn assemble(complex: &Complex) -> Self {
+        let (faces, table) = (complex.faces(), complex.edges());
+        let (edges, edge_quad) = make_edges(faces, table);
+        let mut kernel = QuadEdge {
+            edges,
+            edge_quad,
+            corner_edge: exactly(faces.corners().map(|c| table.corner_edge(c))).into(),
+            vertex_dart: Column::filled(None, faces.vertex_count()),
+            face_corner: Column::filled(NO_CORNER, faces.face_count()),
+            hole_count: 0,
+        };
+        kernel.link_faces(faces);
+        kernel.link_holes();
+        kernel.begin_stars(faces);
+        kernel
+    }
+
+    fn vertex_count(&self) -> usize {
+        self.vertex_dart.len()
+    }
+    fn edge_count(&self) -> usize {
+        self.edge_quad.len()
+    }
+    fn face_count(&self) -> usize {
+        self.face_corner.len()
+    }
+    fn corner_count(&self) -> usize {
+        self.corner_edge.len()
+    }
+
+    #[inline]
+    fn corner_vertex(&self, corner: CornerId) -> VertexId {
+        let dart = self.side_dart(corner);
+        self.labels(dart).ends[dart.quarter() / 2]
+    }
+    #[inline]
+    fn corner_edge(&self, corner: CornerId) -> EdgeId {
+        self.corner_edge[corner]
+    }
+    #[inline]
+    fn corner_face(&self, corner: CornerId) -> FaceId {
+        let dart = self.side_dart(corner);
+        self.labels(dart).faces[left(dart)]
+    }
+    #[inline]
+    fn next_corner(&self, corner: CornerId) -> CornerId {
+        self.side_left_of(self.edges.lnext(self.side_dart(corner)))
+    }
+    #[inline]
+    fn prev_corner(&self, corner: CornerId) -> CornerId {
+        self.side_left_of(self.edges.lprev(self.side_dart(corner)))
+    }
+    #[inline]
+    fn edge_ends(&self, edge: EdgeId) -> [VertexId; 2] {
+        let [one, other] = self.edges.label(self.edge_quad[edge]).ends;
+        [one.min(other), one.max(other)]
+    }
+
+    #[inline]
+    fn face_corners(&self, face: FaceId) -> impl Iterator<Item = CornerId> + Clone {
+        let corner = Some(self.face_corner[face]).filter(|&corner| corner != NO_CORNER);
+        let first = corner.map(|corner| self.side_dart(corner));
+        iter::successors(first, move |&dart| Some(self.edges.lnext(dart)).filter(|&next| Some(next) != first))
+            .map(|dart| self.side_left_of(dart))
+    }
+    #[inline]
+    fn edge_corners(&self, edge: EdgeId) -> impl Iterator<Item = CornerId> + Clone {
+        let sides = self.edges.label(self.edge_quad[edge]).sides;
+        sides.into_iter().filter(|&side| side != NO_CORNER)
+    }
+    #[inline]
+    fn vertex_corners(&self, vertex: VertexId) -> impl Iterator<Item = CornerId> + Clone {
+        let first = self.vertex_dart[vertex];
+        let is_there = move |&dart: &Dart| Some(dart) != first && self.side_left_of(dart) != NO_CORNER;
+        iter::successors(first, move |&dart| Some(self.edges.onext(dart)).filter(is_there))
+            .map(|dart| self.corner_left_of(dart))
+    }
+
+    #[inline]
+    fn across(&self, corner: CornerId) -> Option<CornerId> {
+        self.opposite(corner)
+    }
+
+    fn heap_bytes(&self) -> usize {
+        self.edges.heap_bytes()
+            + self.edge_quad.heap_bytes()
+            + self.corner_edge.heap_bytes()
+            + self.vertex_dart.heap_bytes()
+            + self.face_corner.heap_bytes()
+    }
+}
+
+impl ManifoldConnectivity for QuadEdge {
+    #[inline]
+    fn opposite(&self, corner: CornerId) -> Option<CornerId> {
+        let other = self.side_left_of(self.side_dart(corner).sym());
+        (other != NO_CORNER).then_some(other)
+    }
+}
+
+impl Labels {
+    /// One of the two sides as a dart with its face on the left, directed as the face runs.
+    #[inline]
+    fn dart(&self, quad: QuadKey, side: CornerId) -> Dart {
+        let along = Dart::along(quad);
+        if side == self.sides[0] {
+            along
+        } else if self.runs == SecondSide::Opposite {
+            along.sym()
+        } else {
+            along.flip()
+        }
+    }
+}
+
+/// Whether the face on a dart's left is its record's left one (0) or right one (1): turning back exchanges them, and
+/// so does flipping.
+#[inline]
+fn left(dart: Dart) -> usize {
+    (dart.quarter() / 2) ^ usize::from(dart.flipped())
+}
+
+/// The edges, each by itself, labelled with its ends and sides.
+fn make_edges(faces: &FaceTable, table: &EdgeTable) -> (Subdivision<Labels>, Column<EdgeId, QuadKey>) {
+    let mut edges = Subdivision::with_capacity(table.edge_count());
+    let mut edge_quad = Vec::with_capacity(table.edge_count());
+    for edge in table.edges() {
+        let sides = match *table.edge_corners(edge) {
+            [one] => [one, NO_CORNER],
+            [one, other, ..] => [one, other],
+            [] => continue,
+        };
+        let [low, high] = table.ends(edge);
+        let from = faces.corner_vertex(sides[0]);
+        let to = if from == low { high } else { low };
+        let same_way = sides[1] != NO_CORNER && faces.corner_vertex(sides[1]) == from;
+        let runs = if same_way { SecondSide::SameWay } else { SecondSide::Opposite };
+        let unknown = FaceId::new(faces.face_count());
+        edge_quad.push(edges.make_edge(Labels { ends: [from, to], faces: [unknown; 2], sides, runs }));
+    }
+    (edges, edge_quad.into())
+}
+
+impl QuadEdge {
+    /// Tells each side its face, and what follows it there.
+    fn link_faces(&mut self, faces: &FaceTable) {
+        for face in faces.faces() {
+            let mut corners = faces.face_corners(face);
+            let Some(last) = corners.next_back() else { continue };
+            let mut before = self.side_dart(last);
+            self.face_corner[face] = CornerId::new(faces.corner_range(face).start);
+            for corner in faces.face_corners(face) {
+                let dart = self.side_dart(corner);
+                self.edges.label_mut(dart.quad).faces[left(dart)] = face;
+                self.edges.link(before, dart);
+                before = dart;
+            }
+        }
+    }
+
+    /// Closes each boundary loop with a hole: round it goes the boundary, from edge to edge through their common
+    /// vertex, each seen from the side that has no face.
+    fn link_holes(&mut self) {
+        let boundary = self.boundary_at_vertices();
+        let mut is_closed = Column::filled(false, self.edge_quad.len());
+        for first in self.edges() {
+            if self.edge_degree(first) > 1 || is_closed[first] {
+                continue;
+            }
+            let hole = FaceId::new(self.face_corner.len() + self.hole_count);
+            self.hole_count += 1;
+            let start = Dart::along(self.edge_quad[first]).sym();
+            let (mut edge, mut dart) = (first, start);
+            loop {
+                is_closed[edge] = true;
+                self.edges.label_mut(dart.quad).faces[1] = hole;
+                // Seen from the hole a dart is Sym or Flip, so it ends at the record's origin or destination.
+                let end = self.labels(dart).ends[usize::from(dart.flipped())];
+                let [one, other] = boundary[end];
+                edge = if one == edge { other } else { one };
+                if is_closed[edge] {
+                    break;
+                }
+                let along = Dart::along(self.edge_quad[edge]);
+                let following = if self.labels(along).ends[0] == end { along.flip() } else { along.sym() };
+                self.edges.link(dart, following);
+                dart = following;
+            }
+            self.edges.link(dart, start);
+        }
+    }
+
+    /// The two boundary edges of each vertex of the boundary.
+    fn boundary_at_vertices(&self) -> Column<VertexId, [EdgeId; 2]> {
+        let mut at = Column::filled([EdgeId(u32::MAX); 2], self.vertex_dart.len());
+        for edge in self.edges().filter(|&edge| self.edge_degree(edge) == 1) {
+            for end in self.edge_ends(edge) {
+                let pair: &mut [EdgeId; 2] = &mut at[end];
+                *pair = [edge, pair[0]];
+            }
+        }
+        at
+    }
+
+    /// Finds where the star of each vertex begins: clockwise from its lowest corner until there is a hole on the
+    /// right, or once round.
+    fn begin_stars(&mut self, faces: &FaceTable) {
+        for corner in faces.corners() {
+            let vertex = faces.corner_vertex(corner);
+            if self.vertex_dart[vertex].is_some() {
+                continue;
+            }
+            let lowest = self.side_dart(corner);
+            let mut dart = lowest;
+            while self.side_left_of(dart.sym()) != NO_CORNER {
+                dart = self.edges.oprev(dart);
+                if dart == lowest {
+                    break;
+                }
+            }
+            self.vertex_dart[vertex] = Some(dart);
+        }
+    }
+}
+
+/// A vector of what an iterator of known length gives, without room to spare.
+fn exactly<T>(items: impl ExactSizeIterator<Item = T>) -> Vec<T> {
+    let mut vector = Vec::with_capacity(items.len());
+    vector.extend(items);
+    vector
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use meshmend_core::{FaceTableBuilder, Refusal};
+    use proptest::prelude::*;
+
+    use super::algebra::assert_axioms;
+    use super::*;
+    use crate::laws::{damaged_grid, self_touching};
+
+    fn build(vertices: usize, faces: &[&[u32]]) -> Result<QuadEdge, Refusal> {
+        let mut builder = FaceTableBuilder::default();
+        faces.iter().for_each(|face| builder.push_face(face.iter().copied().map(VertexId)));
+        QuadEdge::build(&Complex::of(&Arc::new(builder.build(vertices).unwrap())))
+    }
+
+    fn star(kernel: &QuadEdge, vertex: u32) -> Vec<u32> {
+        kernel.vertex_corners(VertexId(vertex)).map(|c| c.0).collect()
+    }
+
+    /// Five triangles on five vertices.
+    const MOEBIUS: [&[u32]; 5] = [&[0, 1, 2], &[1, 2, 3], &[2, 3, 4], &[3, 4, 0], &[4, 0, 1]];
+
+    #[test]
+    fn a_moebius_band_has_one_hole_with_five_sides() {
+        let kernel = build(5, &MOEBIUS).unwrap();
+        assert_axioms(&kernel.edges);
+        assert_eq!(kernel.hole_count(), 1);
+        let rim = kernel.corners().filter(|&c| kernel.hole_beside(c) == Some(0)).count();
+        let walked = kernel.boundary_loop(CornerId(2)).count();
+        assert_eq!((rim, walked), (5, 5));
+        assert_eq!(kernel.boundary_loop(CornerId(0)).count(), 0);
+    }
+
+    #[test]
+    fn faces_that_run_against_each_other_are_walked_round_alike() {
+        let disc = build(4, &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 1]]).unwrap();
+        let mixed = build(4, &[&[0, 1, 2], &[0, 3, 2], &[0, 3, 1]]).unwrap();
+        assert_eq!(star(&disc, 0), [0, 3, 6]);
+        assert_eq!(star(&mixed, 0), [0, 3, 6]);
+        // At v2, counter-clockwise as f0 runs: f1 lies on the other side of v2-v0, and the boundary is before it.
+        assert_eq!((star(&disc, 2), star(&mixed, 2)), (vec![4, 2], vec![5, 2]));
+        assert_eq!((disc.hole_count(), mixed.hole_count()), (1, 1));
+        assert_axioms(&mixed.edges);
+    }
+
+    #[test]
+    fn a_face_may_be_glued_to_itself() {
+        // A spike: the only edge at v3 is used twice by the only face there.
+        let spike = build(4, &[&[0, 1, 2, 3, 2]]).unwrap();
+        assert_axioms(&spike.edges);
+        assert_eq!(spike.opposite(CornerId(2)), Some(CornerId(3)));
+        assert_eq!((star(&spike, 3), star(&spike, 2)), (vec![3], vec![4, 2]));
+        // A Moebius band of one face, which runs along v0-v1 twice the same way.
+        let band = build(4, &[&[0, 1, 2, 0, 1, 3]]).unwrap();
+        assert_axioms(&band.edges);
+        assert_eq!(band.opposite(CornerId(0)), Some(CornerId(3)));
+        assert_eq!(band.hole_count(), 1);
+    }
+
+    #[test]
+    fn holes_are_numbered_by_lowest_edge() {
+        let annulus = build(6, &[&[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]]).unwrap();
+        assert_eq!(annulus.hole_count(), 2);
+        assert_eq!(annulus.hole_beside(CornerId(0)), Some(0));
+        assert_eq!(annulus.hole_beside(CornerId(2)), Some(1));
+        assert_eq!(annulus.hole_beside(CornerId(1)), None);
+    }
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..Default::default() })]
+
+        #[test]
+        fn the_axioms_hold_on_whatever_is_admitted(faces in prop_oneof![damaged_grid(), self_touching()]) {
+            if let Ok(kernel) = QuadEdge::build(&Complex::of(&Arc::new(faces))) {
+                assert_axioms(&kernel.edges);
+                assert_loops_partition_the_boundary(&kernel);
+            }
+        }
+    }
+
+    /// Each boundary side is on one loop, with those that have the same hole beside them.
+    fn assert_loops_partition_the_boundary(kernel: &QuadEdge) {
+        let mut sizes = vec![0; kernel.hole_count()];
+        let boundary: Vec<_> = kernel.corners().filter(|&c| kernel.opposite(c).is_none()).collect();
+        for &corner in &boundary {
+            sizes[kernel.hole_beside(corner).unwrap()] += 1;
+        }
+        for &corner in &boundary {
+            let hole = kernel.hole_beside(corner);
+            let walked: Vec<_> = kernel.boundary_loop(corner).collect();
+            assert_eq!((walked[0], walked.len()), (corner, sizes[hole.unwrap()]));
+            assert!(walked.iter().all(|&side| kernel.hole_beside(side) == hole));
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! Removes what no face uses, and names it.
+//!
+//! *Why*: unreferenced vertices change bounding boxes and counts, and loose edges and points make exporters write
+//! elements that nobody asked for.
+//!
+//! 1. Loose edges and points go (policy: remove or keep, each).
+//! 2. Vertices that no face and no kept loose element uses go; the others keep their order.
+//!
+//! *Promises* no unreferenced vertex but those of kept loose elements. *Requires* and *may introduce* nothing.
+//! *Cost*: linear.
+
+use meshmend_core::{
+    Defect, DefectKind, Draft, FaceTable, Id, Loose, PolygonMesh, Sources, VertexId,
+};
+use serde::{Deserialize, Serialize};
+
+use crate::{Context, Outcome, Pass, PassError};
+
+/// Removes what no face uses, and names it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Compact {
+    /// What happens to edges that are elements of their own.
+    pub loose_edges: LooseElements,
+    /// What happens to points that are elements of their own.
+    pub loose_points: LooseElements,
+}
+
+/// What happens to elements that belong to no face.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LooseElements {
+    /// Remove them, and say which.
+    #[default]
+    Remove,
+    /// Keep them and their vertices.
+    Keep,
+}
+
+impl Pass for Compact {
+    fn name(&self) -> &'static str {
+        "compact"
+    }
+    fn removes(&self) -> &'static [DefectKind] {
+        use DefectKind::{LooseEdge, LoosePoint, UnreferencedVertex};
+        match (self.loose_edges, self.loose_points) {
+            (LooseElements::Remove, LooseElements::Remove) => &[UnreferencedVertex, LooseEdge, LoosePoint],
+            (LooseElements::Remove, LooseElements::Keep) => &[LooseEdge],
+            (LooseElements::Keep, LooseElements::Remove) => &[LoosePoint],
+            (LooseElements::Keep, LooseElements::Keep) => &[],
+        }
+    }
+    fn requires(&self) -> &'static [DefectKind] {
+        &[]
+    }
+    fn may_introduce(&self) -> &'static [DefectKind] {
+        &[]
+    }
+
+    fn apply(&self, mesh: &PolygonMesh, _context: &Context<'_>) -> Result<Outcome, PassError> {
+        let drop_loose = Loose {
+            edges: self.loose_edges == LooseElements::Remove,
+            points: self.loose_points == LooseElements::Remove,
+        };
+        let is_kept = used_vertices(mesh, drop_loose);
+        let mended = removed(mesh, &is_kept, drop_loose);
+        if mended.is_empty() {
+            return Ok(Outcome::unchanged(mesh));
+        }
+        Ok(Outcome::changed(mesh.rebuild(draft(mesh, &is_kept, drop_loose)?)?, mended))
+    }
+}
+
+/// For each vertex whether a face or a kept loose element uses it.
+fn used_vertices(mesh: &PolygonMesh, drop_loose: Loose) -> Vec<bool> {
+    let mut is_used = vec![false; mesh.counts().vertices];
+    let mut mark = |v: &VertexId| is_used[v.index()] = true;
+    mesh.faces().corner_vertices().iter().for_each(&mut mark);
+    if !drop_loose.edges {
+        mesh.loose_edges().iter().flatten().for_each(&mut mark);
+    }
+    if !drop_loose.points {
+        mesh.loose_points().iter().for_each(&mut mark);
+    }
+    is_used
+}
+
+/// What goes, by kind and id.
+fn removed(mesh: &PolygonMesh, is_used: &[bool], drop_loose: Loose) -> Vec<Defect> {
+    let unused = is_used.iter().enumerate().filter(|(_, used)| !**used);
+    let mut removed: Vec<Defect> =
+        unused.map(|(v, _)| Defect::UnreferencedVertex { vertex: VertexId::new(v) }).collect();
+    if drop_loose.edges {
+        let edges = mesh.loose_edges().iter().zip(0..);
+        removed.extend(edges.map(|(&ends, index)| Defect::LooseEdge { index, ends }));
+    }
+    if drop_loose.points {
+        let points = mesh.loose_points().iter().zip(0..);
+        removed.extend(points.map(|(&vertex, index)| Defect::LoosePoint { index, vertex }));
+    }
+    removed
+}
+
+fn draft(mesh: &PolygonMesh, is_kept: &[bool], drop_loose: Loose) -> Result<Draft, PassError> {
+    let mut new_id = vec![VertexId(0); is_kept.len()];
+    let mut sources = Vec::new();
+    for (v, _) in is_kept.iter().enumerate().filter(|(_, kept)| **kept) {
+        new_id[v] = VertexId::new(sources.len());
+        sources.push(Some(VertexId::new(v)));
+    }
+    let old = mesh.faces();
+    let corners = old.corner_vertices().iter().map(|v| new_id[v.index()]).collect();
+    let faces = match old.starts() {
+        None => FaceTable::triangles(sources.len(), corners),
+        Some(starts) => FaceTable::polygons(sources.len(), starts.to_vec(), corners),
+    };
+    let faces = faces?;
+    let (face_sources, corner_sources) = (Sources::same(old.face_count()), Sources::same(old.corner_count()));
+    Ok(Draft {
+        vertex_sources: Sources::listed(sources),
+        drop_loose,
+        ..Draft::of_faces(mesh, faces, face_sources, corner_sources)
+    })
+}

@@ -1,0 +1,36 @@
+//! The three figures by which a pass's effect on the topology is told.
+
+use meshmend_core::{Connectivity, EdgeUse, PolygonMesh, vertex_classes};
+use meshmend_topology::{boundary_loops, components};
+use serde::Serialize;
+
+/// χ, the number of components, and the number of boundary loops.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Figures {
+    /// V − E + F.
+    pub euler_characteristic: i64,
+    /// Classes of faces joined by shared vertices.
+    pub components: u64,
+    /// Boundary loops; absent where the mesh is not manifold.
+    pub boundary_loops: Option<u64>,
+}
+
+impl Figures {
+    /// The figures of a mesh.
+    ///
+    /// *Cost*: builds the edge-use kernel, then linear.
+    pub fn of(mesh: &PolygonMesh) -> Self {
+        let kernel = EdgeUse::assemble(mesh.complex());
+        let components = components(&kernel);
+        let faces = mesh.complex().proper_face_count() as i64;
+        let classes = vertex_classes(&kernel);
+        let is_manifold = classes.values().iter().all(|class| {
+            class.is_manifold() || *class == meshmend_core::VertexClass::Unreferenced
+        });
+        Figures {
+            euler_characteristic: components.referenced_vertices() as i64 - kernel.edge_count() as i64 + faces,
+            components: components.count() as u64,
+            boundary_loops: is_manifold.then(|| boundary_loops(&kernel).count() as u64),
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Which side is joined to which, where that is beyond doubt.
+//!
+//! Two rules, each about one edge of the mesh alone, so that edges can be asked in any order:
+//!
+//! 1. two uses that are the only two of their edge by vertices *as stored* are matched;
+//! 2. two uses that are the only two of their edge by the present (welded) vertices are matched, if both are free.
+//!
+//! Faces joined across matched uses make a *patch* of the repair.
+
+use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId, VertexId};
+
+use crate::StoredNames;
+
+const FREE: CornerId = CornerId(u32::MAX);
+
+/// Each side's partner.
+pub(crate) struct Matching {
+    mate: Column<CornerId, CornerId>,
+}
+
+impl Matching {
+    pub(crate) fn free(corner_count: usize) -> Self {
+        Matching { mate: Column::filled(FREE, corner_count) }
+    }
+
+    /// The matching of all edges by rules 1 and 2.
+    ///
+    /// *Cost*: O(Σ d log d) over the edges' degrees d.
+    pub(crate) fn by_rules<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Self {
+        let mut matching = Matching::free(kernel.corner_count());
+        let mut groups = StoredGroups::default();
+        for edge in kernel.edges() {
+            match groups.uses_of(kernel, names, edge) {
+                [one, other] => matching.pair(one.corner, other.corner),
+                uses => {
+                    for group in uses.chunk_by(|one, other| one.stored == other.stored) {
+                        if let [one, other] = group {
+                            matching.pair(one.corner, other.corner);
+                        }
+                    }
+                }
+            }
+        }
+        matching
+    }
+
+    #[inline]
+    pub(crate) fn mate(&self, corner: CornerId) -> Option<CornerId> {
+        let mate = self.mate[corner];
+        (mate != FREE).then_some(mate)
+    }
+
+    #[inline]
+    pub(crate) fn is_free(&self, corner: CornerId) -> bool {
+        self.mate[corner] == FREE
+    }
+
+    pub(crate) fn pair(&mut self, one: CornerId, other: CornerId) {
+        self.mate[one] = other;
+        self.mate[other] = one;
+    }
+
+    pub(crate) fn part(&mut self, one: CornerId, other: CornerId) {
+        self.mate[one] = FREE;
+        self.mate[other] = FREE;
+    }
+
+    /// Each matched pair once, by its lower corner.
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = (CornerId, CornerId)> + '_ {
+        self.mate.iter().filter(|&(one, &other)| other != FREE && one < other).map(|(one, &other)| (one, other))
+    }
+}
+
+/// A use of an edge with the pair of vertices that it joins as stored.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct StoredUse {
+    pub(crate) stored: [VertexId; 2],
+    pub(crate) corner: CornerId,
+}
+
+/// The uses of one edge, sorted by what they join as stored; keeps its memory from edge to edge.
+#[derive(Default)]
+pub(crate) struct StoredGroups {
+    uses: Vec<StoredUse>,
+}
+
+impl StoredGroups {
+    pub(crate) fn uses_of<K: Connectivity>(
+        &mut self,
+        kernel: &K,
+        names: &StoredNames<'_>,
+        edge: EdgeId,
+    ) -> &[StoredUse] {
+        self.uses.clear();
+        self.uses.extend(kernel.edge_corners(edge).map(|corner| {
+            let (from, to) = (names.of(corner), names.of(kernel.next_corner(corner)));
+            StoredUse { stored: [from.min(to), from.max(to)], corner }
+        }));
+        if self.uses.len() > 2 {
+            self.uses.sort_unstable();
+        }
+        &self.uses
+    }
+}
+
+/// Whether two sides along the same edge run the same way.
+pub(crate) fn run_the_same_way<K: Connectivity>(kernel: &K, one: CornerId, other: CornerId) -> bool {
+    kernel.corner_vertex(one) == kernel.corner_vertex(other)
+}
+
+/// Classes of faces with, for each face, whether it lies on the other side than its class's root.
+///
+/// *Source*: union-find with parity; path halving and union by size.
+pub(crate) struct SidedSets {
+    parent: Column<FaceId, FaceId>,
+    is_turned: Column<FaceId, bool>,
+    size: Column<FaceId, u32>,
+}
+
+impl SidedSets {
+    pub(crate) fn new(face_count: usize) -> Self {
+        SidedSets {
+            parent: (0..face_count as u32).map(FaceId).collect(),
+            is_turned: Column::filled(false, face_count),
+            size: Column::filled(1, face_count),
+        }
+    }
+
+    /// The root of a face's class, and whether the face is turned against it.
+    pub(crate) fn find(&mut self, face: FaceId) -> (FaceId, bool) {
+        let (mut at, mut turned) = (face, false);
+        while self.parent[at] != at {
+            let up = self.parent[at];
+            let step = self.is_turned[at];
+            if self.parent[up] != up {
+                // Skip a generation: the grandparent's side is the two steps together.
+                self.parent[at] = self.parent[up];
+                self.is_turned[at] = step ^ self.is_turned[up];
+            }
+            turned ^= self.is_turned[at];
+            at = self.parent[at];
+        }
+        (at, turned)
+    }
+
+    /// Joins two classes so that the two faces are turned against each other or not.
+    pub(crate) fn join(&mut self, one: FaceId, other: FaceId, turned: bool) -> Joined {
+        let ((a, side_a), (b, side_b)) = (self.find(one), self.find(other));
+        let turned = turned ^ side_a ^ side_b;
+        if a == b {
+            return if turned { Joined::Contradicts { root: a } } else { Joined::Agrees };
+        }
+        let (root, child) = if self.size[a] < self.size[b] { (b, a) } else { (a, b) };
+        self.parent[child] = root;
+        self.is_turned[child] = turned;
+        self.size[root] += self.size[child];
+        Joined::Merged { root, child }
+    }
+}
+
+/// What joining two faces did.
+pub(crate) enum Joined {
+    /// They were in one class already, on the sides asked for.
+    Agrees,
+    /// They were in one class already, and not on those sides.
+    Contradicts { root: FaceId },
+    /// Their classes became one.
+    Merged { root: FaceId, child: FaceId },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sides_add_up_along_chains() {
+        let mut sets = SidedSets::new(6);
+        for f in 0..5 {
+            sets.join(FaceId(f), FaceId(f + 1), true);
+        }
+        for one in 0..6 {
+            for other in 0..6 {
+                let turned = (one + other) % 2 == 1;
+                assert!(matches!(sets.join(FaceId(one), FaceId(other), turned), Joined::Agrees));
+                assert!(matches!(sets.join(FaceId(one), FaceId(other), !turned), Joined::Contradicts { .. }));
+            }
+        }
+    }
+}

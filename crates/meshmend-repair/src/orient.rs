@@ -1,0 +1,332 @@
+//! Turns faces so that neighbours agree, and drops patches that are there twice.
+//!
+//! *Why*: half of a mesh looks inward, a wall is stored twice, a body once more on top of itself. Turning comes before
+//! any splitting: a torus with half its faces flipped needs nothing but flips.
+//!
+//! 1. On the patches of rule 1 alone, with the directions as stored, drop duplicate patches: a doubled object goes
+//!    whole, and a closed solid that merely touches another one is never torn.
+//! 2. On the patches of rules 1 and 2 orient, drop duplicate patches, and again until there is none. Only edges that
+//!    lost a use and patches that merged are looked at again.
+//! 3. Opposite duplicates (double-sided walls) stay, unless the policy says otherwise; if faces go, step 2 is done
+//!    again.
+//! 4. A flipped face keeps its first corner first and reverses the rest.
+//!
+//! *Promises* no inconsistent edge in any orientable patch. *Requires* simple faces for its duplicates to be those of
+//! the text; works on any. *May introduce* boundary edges where duplicates went, and unreferenced vertices. *Cost*:
+//! O(n log n), however many rounds there are. A patch without a consistent side is left as it is and named, with a
+//! witness; or the policy cuts it or gives up.
+
+use meshmend_core::{
+    Column, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeUse, FaceId, FaceTableBuilder, Id, PolygonMesh, Sources,
+};
+use meshmend_kernels::KernelTask;
+use meshmend_topology::{OneSidedStrip, orientability, patches as patches_of};
+use serde::{Deserialize, Serialize};
+
+use crate::{Context, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames};
+
+mod cycles;
+mod patches;
+mod uses;
+
+use cycles::{Cycles, least_other};
+use patches::{Contradiction, Patches, Sides};
+use uses::LiveUses;
+
+/// Turns faces so that neighbours agree, and drops patches that are there twice.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Orient {
+    /// Which of a patch's two sides is taken.
+    pub side: Side,
+    /// What to do with a patch that has no consistent side.
+    pub non_orientable: NonOrientable,
+    /// What to do with faces that are there once in each direction.
+    pub duplicates: Duplicates,
+}
+
+/// Which of a patch's two consistent sides is taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Side {
+    /// The one that flips fewer faces; on a tie the one that keeps the lowest face.
+    #[default]
+    Majority,
+    /// For a closed patch the one with positive signed volume; any other patch goes by majority.
+    Outward,
+}
+
+/// What to do with a patch that has no consistent side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NonOrientable {
+    /// Leave it as it is and name it, with a witness.
+    #[default]
+    Report,
+    /// Choose sides all the same; `split` opens the seam along which they clash.
+    Cut,
+    /// Give up.
+    Fail,
+}
+
+/// What to do with faces that are there once in each direction.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Duplicates {
+    /// Keep and report them: a double-sided wall.
+    #[default]
+    Keep,
+    /// Remove as many of each direction as there are pairs.
+    RemovePair,
+    /// Keep the first face of each group.
+    KeepFirst,
+}
+
+impl Pass for Orient {
+    fn name(&self) -> &'static str {
+        "orient"
+    }
+    fn removes(&self) -> &'static [DefectKind] {
+        &[DefectKind::InconsistentEdge]
+    }
+    fn requires(&self) -> &'static [DefectKind] {
+        &[DefectKind::DegenerateFace, DefectKind::NonSimpleFace]
+    }
+    fn may_introduce(&self) -> &'static [DefectKind] {
+        &[DefectKind::BoundaryEdge, DefectKind::UnreferencedVertex, DefectKind::NonOrientablePatch]
+    }
+
+    fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
+        context.kernel.run(mesh.complex(), Task { options: self, mesh, context })?
+    }
+}
+
+struct Task<'a> {
+    options: &'a Orient,
+    mesh: &'a PolygonMesh,
+    context: &'a Context<'a>,
+}
+
+/// Which faces stay, which of them are turned, and the lowest face of each non-orientable patch.
+struct Found {
+    is_alive: Column<FaceId, bool>,
+    is_flipped: Column<FaceId, bool>,
+    non_orientable: Vec<FaceId>,
+}
+
+impl KernelTask for Task<'_> {
+    type Output = Result<Outcome, PassError>;
+
+    fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
+        let names = StoredNames::new(self.mesh, self.context);
+        let cycles = Cycles::of(kernel);
+        let count = kernel.face_count();
+        let mut alive = Column::filled(true, count);
+        let mut flipped = Column::filled(false, count);
+        if !cycles.is_empty() {
+            alive = self.without_stored_duplicates(kernel, &names, &cycles);
+        }
+        loop {
+            self.context.check_cancelled()?;
+            let found = self.oriented(kernel, &names, &cycles, (alive, flipped))?;
+            let opposite = self.opposite_to_remove(&cycles, &found);
+            if opposite.is_empty() {
+                return self.outcome(kernel, &cycles, found);
+            }
+            (alive, flipped) = (found.is_alive, found.is_flipped);
+            opposite.into_iter().for_each(|face| alive[face] = false);
+        }
+    }
+}
+
+impl Task<'_> {
+    /// Step 1. One round is enough here: patches that merge without a flip unblock nothing.
+    fn without_stored_duplicates<K: Connectivity>(
+        &self,
+        kernel: &K,
+        names: &StoredNames<'_>,
+        cycles: &Cycles,
+    ) -> Column<FaceId, bool> {
+        let count = kernel.face_count();
+        let start = (Column::filled(true, count), Column::filled(false, count));
+        let policy = (Sides::Stored, Contradiction::Twists);
+        let mut patches = Patches::new(kernel, self.mesh, cycles, policy, start);
+        patches.merge(&uses::pairs_as_stored(kernel, names));
+        patches.drop_duplicates();
+        patches.is_alive
+    }
+
+    /// Step 2.
+    fn oriented<K: Connectivity>(
+        &self,
+        kernel: &K,
+        names: &StoredNames<'_>,
+        cycles: &Cycles,
+        start: (Column<FaceId, bool>, Column<FaceId, bool>),
+    ) -> Result<Found, PassError> {
+        let sides = match self.options.side {
+            Side::Majority => Sides::Majority,
+            Side::Outward => Sides::Outward,
+        };
+        let contradiction = match self.options.non_orientable {
+            NonOrientable::Cut => Contradiction::Cuts,
+            _ => Contradiction::Twists,
+        };
+        let mut live = LiveUses::new(kernel, names, &start.0);
+        let mut patches = Patches::new(kernel, self.mesh, cycles, (sides, contradiction), start);
+        loop {
+            patches.merge(&live.new_pairs(kernel, &patches.is_alive));
+            let gone = patches.drop_duplicates();
+            if gone.is_empty() {
+                break;
+            }
+            self.context.check_cancelled()?;
+            gone.into_iter().for_each(|face| live.remove_face(kernel, face));
+        }
+        let non_orientable = patches.non_orientable();
+        Ok(Found { is_alive: patches.is_alive, is_flipped: patches.is_flipped, non_orientable })
+    }
+
+    /// Step 3: the faces that go because they are there in the other direction too.
+    fn opposite_to_remove(&self, cycles: &Cycles, found: &Found) -> Vec<FaceId> {
+        let mut removed = Vec::new();
+        if self.options.duplicates == Duplicates::Keep {
+            return removed;
+        }
+        for group in cycles.groups() {
+            let alive = group.iter().copied().filter(|&f| found.is_alive[f]);
+            let (backward, forward): (Vec<FaceId>, Vec<FaceId>) =
+                alive.partition(|&f| cycles.runs_backward(f, found.is_flipped[f]));
+            let pairs = backward.len().min(forward.len());
+            if self.options.duplicates == Duplicates::RemovePair {
+                removed.extend(backward[..pairs].iter().chain(&forward[..pairs]));
+            } else if pairs > 0 {
+                let first = backward[0].min(forward[0]);
+                removed.extend(backward.iter().chain(&forward).filter(|&&f| f != first));
+            }
+        }
+        removed
+    }
+
+    /// Step 4, and the record.
+    fn outcome<K: Connectivity>(
+        &self,
+        kernel: &K,
+        cycles: &Cycles,
+        found: Found,
+    ) -> Result<Outcome, PassError> {
+        let mut mended: Vec<Defect> = self.dropped(cycles, &found);
+        let inconsistent = kernel.edges().filter(|&e| meshmend_core::is_inconsistent(kernel, e));
+        let was_mended = inconsistent.filter(|&e| {
+            let mut faces = kernel.edge_faces(e).map(|f| found.is_flipped[f]);
+            faces.next() != faces.next()
+        });
+        mended.extend(was_mended.map(|edge| Defect::InconsistentEdge { edge, ends: kernel.edge_ends(edge) }));
+        let is_changed = found.is_alive.values().contains(&false) || found.is_flipped.values().contains(&true);
+        let mut outcome = if is_changed { self.rebuilt(&found)? } else { Outcome::unchanged(self.mesh) };
+        mended.sort();
+        outcome.mended = mended;
+        outcome.left = self.opposite_left(cycles, &found);
+        if !found.non_orientable.is_empty() {
+            self.judge_non_orientable(&mut outcome)?;
+        }
+        Ok(outcome)
+    }
+
+    /// What the policy makes of patches without a consistent side.
+    fn judge_non_orientable(&self, outcome: &mut Outcome) -> Result<(), PassError> {
+        if self.options.non_orientable == NonOrientable::Cut {
+            return Ok(());
+        }
+        let history = self.context.history.map(|h| h.extended(&outcome.provenance, &outcome.mesh));
+        let context = Context { history: history.as_ref(), ..*self.context };
+        let found = one_sided_patches(&outcome.mesh, &context)?;
+        if self.options.non_orientable == NonOrientable::Fail {
+            return Err(PassError::Policy { pass: "orient", kind: DefectKind::NonOrientablePatch, defects: found });
+        }
+        outcome.left.extend(found);
+        Ok(())
+    }
+
+    fn dropped(&self, cycles: &Cycles, found: &Found) -> Vec<Defect> {
+        let gone = found.is_alive.iter().filter(|(_, alive)| !**alive).map(|(face, _)| face);
+        let double_of = |face: FaceId| {
+            let group = cycles.group_of(face).map_or(&[][..], |group| &cycles.groups()[group]);
+            least_other(group, face, &found.is_alive)
+        };
+        gone.map(|face| {
+            let original = double_of(face);
+            let turned = |f: FaceId| cycles.runs_backward(f, found.is_flipped[f]);
+            if found.is_alive[original] && turned(original) == turned(face) {
+                Defect::DuplicateFace { face, original }
+            } else {
+                Defect::OppositeFace { face, original }
+            }
+        })
+        .collect()
+    }
+
+    fn rebuilt(&self, found: &Found) -> Result<Outcome, PassError> {
+        let old = self.mesh.faces();
+        let mut builder = FaceTableBuilder::default();
+        let (mut face_sources, mut corner_sources, mut flipped) = (Vec::new(), Vec::new(), Vec::new());
+        for face in old.faces().filter(|&f| found.is_alive[f]) {
+            let mut corners: Vec<CornerId> = old.face_corners(face).collect();
+            if found.is_flipped[face] && corners.len() > 1 {
+                corners[1..].reverse();
+                flipped.push(FaceId::new(face_sources.len()));
+            }
+            builder.push_face(corners.iter().map(|&c| old.corner_vertex(c)));
+            corner_sources.extend(corners.into_iter().map(Some));
+            face_sources.push(Some(face));
+        }
+        let faces = builder.build(old.vertex_count())?;
+        let draft = Draft {
+            flipped,
+            ..Draft::of_faces(self.mesh, faces, Sources::listed(face_sources), Sources::listed(corner_sources))
+        };
+        Ok(Outcome::changed(self.mesh.rebuild(draft)?, Vec::new()))
+    }
+
+    /// Opposite duplicates, by the new faces' ids.
+    fn opposite_left(&self, cycles: &Cycles, found: &Found) -> Vec<Defect> {
+        let mut new_id = vec![FaceId(0); found.is_alive.len()];
+        let mut next = 0;
+        for (face, &alive) in found.is_alive.iter() {
+            new_id[face.index()] = FaceId(next);
+            next += u32::from(alive);
+        }
+        let mut left = Vec::new();
+        for group in cycles.groups() {
+            let mut alive = group.iter().copied().filter(|&f| found.is_alive[f]);
+            let Some(first) = alive.next() else { continue };
+            let way = |f: FaceId| cycles.runs_backward(f, found.is_flipped[f]);
+            let original = new_id[first.index()];
+            let opposite = alive.filter(|&f| way(f) != way(first));
+            left.extend(opposite.map(|f| Defect::OppositeFace { face: new_id[f.index()], original }));
+        }
+        left.sort();
+        left
+    }
+}
+
+/// The non-orientable patches of a repair's matching, each with its witness.
+///
+/// Taken apart along everything that is not matched, the mesh has these patches as its own. Faces keep their ids
+/// there, and edges are led back through their corners.
+fn one_sided_patches(mesh: &PolygonMesh, context: &Context<'_>) -> Result<Vec<Defect>, PassError> {
+    let apart = Split { edges: SplitEdges::Cut, seams: Seams::Keep }.apply(mesh, context)?;
+    let kernel = EdgeUse::assemble(apart.mesh.complex());
+    let strips = orientability(&kernel, &patches_of(&kernel)).one_sided;
+    let here = mesh.complex();
+    let edge_here = |edge| {
+        let old = |c: CornerId| apart.provenance.corners.of(apart.mesh.complex().stored_corner(c));
+        let corner = kernel.edge_corners(edge).find_map(old)?;
+        here.is_as_stored().then(|| here.edges().corner_edge(corner))
+    };
+    let defect = |strip: OneSidedStrip| {
+        let edges = strip.edges.iter().filter_map(|&edge| edge_here(edge)).collect();
+        Defect::NonOrientablePatch { faces: strip.faces, edges }
+    };
+    Ok(strips.into_iter().map(defect).collect())
+}

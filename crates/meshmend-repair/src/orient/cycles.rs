@@ -1,0 +1,204 @@
+//! Which faces have the same cycle of vertices, and which patches own each directed cycle.
+
+use std::collections::BTreeMap;
+
+use meshmend_core::{Column, Connectivity, FaceId, Id, VertexId, canonical_rotation};
+
+const ALONE: u32 = u32::MAX;
+
+/// Groups of faces with the same cycle up to direction; most faces are in none.
+pub(crate) struct Cycles {
+    group: Column<FaceId, u32>,
+    runs_backward: Column<FaceId, bool>,
+    members: Vec<Vec<FaceId>>,
+}
+
+impl Cycles {
+    /// The groups of two faces and more.
+    ///
+    /// *Cost*: linear, and a sort of the faces whose neighbours leave the question open.
+    pub(crate) fn of<K: Connectivity>(kernel: &K) -> Self {
+        let faces: Vec<FaceId> = kernel.faces().filter(|&f| may_have_a_twin(kernel, f)).collect();
+        let keys: Vec<Key> = faces.iter().map(|&f| Key::of(kernel.face_vertices(f).collect())).collect();
+        let mut order: Vec<usize> = (0..faces.len()).collect();
+        order.sort_by(|&one, &other| keys[one].cycle.cmp(&keys[other].cycle).then(one.cmp(&other)));
+        let mut cycles = Cycles {
+            group: Column::filled(ALONE, kernel.face_count()),
+            runs_backward: Column::filled(false, kernel.face_count()),
+            members: Vec::new(),
+        };
+        for run in order.chunk_by(|&one, &other| keys[one].cycle == keys[other].cycle) {
+            if run.len() < 2 {
+                continue;
+            }
+            for &place in run {
+                cycles.group[faces[place]] = cycles.members.len() as u32;
+                cycles.runs_backward[faces[place]] = keys[place].is_backward;
+            }
+            cycles.members.push(run.iter().map(|&place| faces[place]).collect());
+        }
+        cycles
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    /// The groups, each by ascending face.
+    pub(crate) fn groups(&self) -> &[Vec<FaceId>] {
+        &self.members
+    }
+
+    /// The group of a face, if any other face has its cycle.
+    pub(crate) fn group_of(&self, face: FaceId) -> Option<usize> {
+        let group = self.group[face];
+        (group != ALONE).then_some(group as usize)
+    }
+
+    /// Whether a face runs its group's cycle backward.
+    pub(crate) fn runs_backward(&self, face: FaceId, is_flipped: bool) -> bool {
+        self.runs_backward[face] ^ is_flipped
+    }
+
+    /// The directed cycle of a face, as a number.
+    pub(crate) fn slot(&self, face: FaceId, is_flipped: bool) -> Option<u32> {
+        self.group_of(face).map(|group| 2 * group as u32 + u32::from(self.runs_backward(face, is_flipped)))
+    }
+}
+
+/// A face's cycle in the lesser of its two directions, from its least rotation.
+struct Key {
+    cycle: Vec<VertexId>,
+    is_backward: bool,
+}
+
+impl Key {
+    fn of(mut forward: Vec<VertexId>) -> Self {
+        let mut backward: Vec<VertexId> = forward.iter().rev().copied().collect();
+        for cycle in [&mut forward, &mut backward] {
+            let least = canonical_rotation(cycle);
+            cycle.rotate_left(least);
+        }
+        let is_backward = backward < forward;
+        Key { cycle: if is_backward { backward } else { forward }, is_backward }
+    }
+}
+
+/// Whether the edges at a face's first two sides allow another face with the same cycle: it would be at both.
+fn may_have_a_twin<K: Connectivity>(kernel: &K, face: FaceId) -> bool {
+    let mut corners = kernel.face_corners(face);
+    let (Some(one), Some(other)) = (corners.next(), corners.next()) else { return false };
+    let beyond = |corner| {
+        let mut others = kernel.edge_faces(kernel.corner_edge(corner)).filter(|&f| f != face);
+        (others.next(), others.next().is_some())
+    };
+    match (beyond(one), beyond(other)) {
+        ((None, _), _) | (_, (None, _)) => false,
+        ((Some(a), false), (Some(b), false)) => a == b,
+        _ => true,
+    }
+}
+
+/// How many faces of each patch run each directed cycle, and how many faces of a patch no other patch doubles.
+///
+/// A patch goes by its *label*: one of its faces, which it keeps while smaller patches are merged into it.
+pub(crate) struct Owners {
+    count: BTreeMap<(u32, FaceId), u32>,
+    /// For each directed cycle how many patches own it, and their labels exclusive-ored: the owner, if only one.
+    owners: Vec<(u32, u32)>,
+    /// For each label the faces whose directed cycle no other patch owns.
+    blocked: Column<FaceId, u32>,
+    /// Labels that have become free of blocked faces since they were last asked for.
+    unblocked: Vec<FaceId>,
+}
+
+impl Owners {
+    pub(crate) fn new(cycles: &Cycles, face_count: usize) -> Self {
+        Owners {
+            count: BTreeMap::new(),
+            owners: vec![(0, 0); 2 * cycles.groups().len()],
+            blocked: Column::filled(0, face_count),
+            unblocked: Vec::new(),
+        }
+    }
+
+    /// Asks about a patch again when labels are next taken.
+    pub(crate) fn ask_again(&mut self, label: FaceId) {
+        self.unblocked.push(label);
+    }
+
+    /// A face with this directed cycle joins a patch; a face without a group blocks its patch for good.
+    pub(crate) fn enter(&mut self, slot: Option<u32>, label: FaceId) {
+        let Some(slot) = slot else {
+            self.blocked[label] += 1;
+            return;
+        };
+        let count = self.count.entry((slot, label)).or_insert(0);
+        *count += 1;
+        let (owners, mixed) = &mut self.owners[slot as usize];
+        if *count == 1 {
+            *owners += 1;
+            *mixed ^= label.0;
+            if *owners == 2 {
+                self.unblock(slot, FaceId(self.owners[slot as usize].1 ^ label.0));
+                return;
+            }
+        }
+        if self.owners[slot as usize].0 == 1 {
+            self.blocked[label] += 1;
+        }
+    }
+
+    /// A face with this directed cycle leaves a patch.
+    pub(crate) fn leave(&mut self, slot: Option<u32>, label: FaceId) {
+        let Some(slot) = slot else {
+            self.lower(label, 1);
+            return;
+        };
+        if self.owners[slot as usize].0 == 1 {
+            self.lower(label, 1);
+        }
+        let Some(count) = self.count.get_mut(&(slot, label)) else { return };
+        *count -= 1;
+        if *count > 0 {
+            return;
+        }
+        self.count.remove(&(slot, label));
+        let (owners, mixed) = &mut self.owners[slot as usize];
+        *owners -= 1;
+        *mixed ^= label.0;
+        if *owners == 1 {
+            let last = FaceId(*mixed);
+            self.blocked[last] += self.count.get(&(slot, last)).copied().unwrap_or(0);
+        }
+    }
+
+    /// Whether each face of a patch is doubled, the same way, in another patch.
+    pub(crate) fn is_duplicate(&self, label: FaceId) -> bool {
+        self.blocked[label] == 0
+    }
+
+    /// The labels that have become free of blocked faces since the last call.
+    pub(crate) fn take_unblocked(&mut self) -> Vec<FaceId> {
+        std::mem::take(&mut self.unblocked)
+    }
+
+    /// The sole owner of a cycle is no longer alone.
+    fn unblock(&mut self, slot: u32, label: FaceId) {
+        let faces = self.count.get(&(slot, label)).copied().unwrap_or(0);
+        self.lower(label, faces);
+    }
+
+    fn lower(&mut self, label: FaceId, faces: u32) {
+        self.blocked[label] -= faces;
+        if self.blocked[label] == 0 && faces > 0 {
+            self.unblocked.push(label);
+        }
+    }
+}
+
+/// The least alive face of a group but one, for naming what a dropped face was a double of.
+pub(crate) fn least_other(group: &[FaceId], face: FaceId, is_alive: &Column<FaceId, bool>) -> FaceId {
+    let alive = group.iter().copied().find(|&f| f != face && is_alive[f]);
+    alive.unwrap_or_else(|| FaceId::new(face.index()))
+}

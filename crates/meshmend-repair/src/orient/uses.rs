@@ -1,0 +1,128 @@
+//! The matching of sides while duplicate faces go: only edges that lost a use are looked at again.
+
+use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId};
+
+use crate::StoredNames;
+use crate::matching::{Matching, StoredGroups};
+
+const NO_GROUP: u32 = u32::MAX;
+
+/// A pair of matched sides.
+pub(crate) type Pair = (CornerId, CornerId);
+
+/// The pairs of rule 1 among the faces that are alive.
+pub(crate) fn pairs_as_stored<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Vec<Pair> {
+    let mut groups = StoredGroups::default();
+    let mut pairs = Vec::new();
+    for edge in kernel.edges() {
+        for group in groups.uses_of(kernel, names, edge).chunk_by(|one, other| one.stored == other.stored) {
+            if let [one, other] = group {
+                pairs.push((one.corner, other.corner));
+            }
+        }
+    }
+    pairs
+}
+
+/// The alive uses of every edge, by what they join as stored, and their matching by rules 1 and 2.
+///
+/// Matched pairs stay matched while duplicates go: uses only become fewer, and a patch goes as a whole.
+pub(crate) struct LiveUses {
+    edge_alive: Column<EdgeId, u32>,
+    /// Only edges of degree three or more have groups.
+    group_of: Column<CornerId, u32>,
+    group_starts: Vec<u32>,
+    group_uses: Vec<CornerId>,
+    group_alive: Vec<u32>,
+    matching: Matching,
+    edges_with_two: Vec<EdgeId>,
+    groups_with_two: Vec<u32>,
+}
+
+impl LiveUses {
+    pub(crate) fn new<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, is_alive: &Column<FaceId, bool>) -> Self {
+        let mut live = LiveUses {
+            edge_alive: Column::filled(0, kernel.edge_count()),
+            group_of: Column::filled(NO_GROUP, kernel.corner_count()),
+            group_starts: vec![0],
+            group_uses: Vec::new(),
+            group_alive: Vec::new(),
+            matching: Matching::free(kernel.corner_count()),
+            edges_with_two: Vec::new(),
+            groups_with_two: Vec::new(),
+        };
+        let mut groups = StoredGroups::default();
+        for edge in kernel.edges() {
+            let uses = groups.uses_of(kernel, names, edge);
+            let alive = |corner: CornerId| is_alive[kernel.corner_face(corner)];
+            live.edge_alive[edge] = uses.iter().filter(|u| alive(u.corner)).count() as u32;
+            if live.edge_alive[edge] == 2 {
+                live.edges_with_two.push(edge);
+            }
+            if uses.len() < 3 {
+                continue;
+            }
+            for group in uses.chunk_by(|one, other| one.stored == other.stored) {
+                let (id, count) = (live.group_alive.len() as u32, group.iter().filter(|u| alive(u.corner)).count());
+                group.iter().for_each(|u| live.group_of[u.corner] = id);
+                live.group_uses.extend(group.iter().map(|u| u.corner));
+                live.group_starts.push(live.group_uses.len() as u32);
+                live.group_alive.push(count as u32);
+                if count == 2 {
+                    live.groups_with_two.push(id);
+                }
+            }
+        }
+        live
+    }
+
+    /// A face is gone: its uses no longer count.
+    pub(crate) fn remove_face<K: Connectivity>(&mut self, kernel: &K, face: FaceId) {
+        for corner in kernel.face_corners(face) {
+            let edge = kernel.corner_edge(corner);
+            self.edge_alive[edge] -= 1;
+            if self.edge_alive[edge] == 2 {
+                self.edges_with_two.push(edge);
+            }
+            let group = self.group_of[corner];
+            if group == NO_GROUP {
+                continue;
+            }
+            self.group_alive[group as usize] -= 1;
+            if self.group_alive[group as usize] == 2 {
+                self.groups_with_two.push(group);
+            }
+        }
+    }
+
+    /// Matches what has become unambiguous since the last call: by rule 1, then by rule 2, each by edge.
+    pub(crate) fn new_pairs<K: Connectivity>(&mut self, kernel: &K, is_alive: &Column<FaceId, bool>) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        let alive = |corner: &CornerId| is_alive[kernel.corner_face(*corner)];
+        let mut groups = std::mem::take(&mut self.groups_with_two);
+        groups.sort_unstable();
+        for group in groups.into_iter().map(|g| g as usize) {
+            let range = self.group_starts[group] as usize..self.group_starts[group + 1] as usize;
+            pairs.extend(the_two(self.group_uses[range].iter().copied().filter(alive)));
+        }
+        pairs.iter().for_each(|&(one, other)| self.matching.pair(one, other));
+        let mut edges = std::mem::take(&mut self.edges_with_two);
+        edges.sort_unstable();
+        for edge in edges {
+            let both = the_two(kernel.edge_corners(edge).filter(alive));
+            if let Some((one, other)) = both.filter(|&(a, b)| self.matching.is_free(a) && self.matching.is_free(b)) {
+                self.matching.pair(one, other);
+                pairs.push((one, other));
+            }
+        }
+        pairs
+    }
+}
+
+/// The two items of an iterator that gives exactly two.
+fn the_two(mut items: impl Iterator<Item = CornerId>) -> Option<Pair> {
+    match (items.next(), items.next(), items.next()) {
+        (Some(one), Some(other), None) => Some((one, other)),
+        _ => None,
+    }
+}

@@ -1,0 +1,214 @@
+//! What every repair is: a function from a mesh to a mesh and a record of what it did.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use meshmend_core::{
+    Complex, CornerId, Defect, DefectKind, DraftError, FaceTableError, Id, PolygonMesh, Provenance, Refusal, VertexId,
+};
+use meshmend_kernels::KernelKind;
+use meshmend_topology::TopologyReport;
+use thiserror::Error;
+
+/// A repair. The pass *is* its options: fill its fields, or take its `Default`.
+pub trait Pass {
+    /// What the pass is called in plans, reports and on the command line.
+    fn name(&self) -> &'static str;
+    /// What is gone afterwards.
+    fn removes(&self) -> &'static [DefectKind];
+    /// What must be gone before, for the pass to keep its promise.
+    fn requires(&self) -> &'static [DefectKind];
+    /// What may be there afterwards though it was not before.
+    fn may_introduce(&self) -> &'static [DefectKind];
+    /// Mends the mesh.
+    ///
+    /// # Errors
+    /// When a policy says so, the kernel can't hold the mesh, or the work was cancelled.
+    fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError>;
+}
+
+/// What a pass gives back. Ids in `mended` are the old mesh's, those in `left` the new one's.
+#[must_use]
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The mesh as it is now.
+    pub mesh: PolygonMesh,
+    /// Where each of its elements came from.
+    pub provenance: Provenance,
+    /// What was wrong and no longer is, by ids of the mesh before.
+    pub mended: Vec<Defect>,
+    /// What the pass saw and left alone, by ids of the mesh after.
+    pub left: Vec<Defect>,
+    /// The topology of the mesh after, where the pass looked at all of it.
+    pub report: Option<Box<TopologyReport>>,
+}
+
+impl Outcome {
+    /// The outcome of a pass that made a new mesh.
+    pub(crate) fn changed((mesh, provenance): (PolygonMesh, Provenance), mended: Vec<Defect>) -> Self {
+        Outcome { mesh, provenance, mended, left: Vec::new(), report: None }
+    }
+
+    /// The outcome of a pass that had nothing to do. *Cost*: O(1).
+    pub fn unchanged(mesh: &PolygonMesh) -> Self {
+        Outcome {
+            provenance: Provenance::same(mesh.counts()),
+            mesh: mesh.clone(),
+            mended: Vec::new(),
+            left: Vec::new(),
+            report: None,
+        }
+    }
+}
+
+/// Why a pass gave no mesh.
+#[derive(Clone, Debug, Error)]
+pub enum PassError {
+    /// The kernel that was asked for can't hold the mesh.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
+    /// A policy of the pass says that such a mesh is not to be repaired.
+    #[error("{pass}: the policy is `fail`, and there are {} {}: {}", defects.len(), kind.title(), defects[0])]
+    Policy {
+        /// The pass.
+        pass: &'static str,
+        /// What it found.
+        kind: DefectKind,
+        /// Where; never empty.
+        defects: Vec<Defect>,
+    },
+    /// An option has no meaning for this mesh.
+    #[error("{pass}: {reason}")]
+    Request {
+        /// The pass.
+        pass: &'static str,
+        /// What is wrong with the option.
+        reason: String,
+    },
+    /// The caller asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+    /// A postcondition does not hold: a mistake of this program.
+    #[error("{pass} broke its promise, which is a mistake of this program: {defect}")]
+    Promise {
+        /// The pass.
+        pass: &'static str,
+        /// What should not be there.
+        defect: Defect,
+    },
+    /// The result would have more elements than a mesh holds.
+    #[error(transparent)]
+    Table(#[from] FaceTableError),
+    /// A pass described a mesh that can't be: a mistake of this program.
+    #[error(transparent)]
+    Draft(#[from] DraftError),
+}
+
+/// What a pass needs to know beside the mesh and its own options.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Context<'a> {
+    /// The kernel to compute on.
+    pub kernel: KernelKind,
+    /// What was done to the mesh before, if it is not as stored.
+    pub history: Option<&'a History>,
+    /// Set by another thread to stop the work.
+    pub cancel: Option<&'a AtomicBool>,
+}
+
+impl Context<'_> {
+    /// Fails when the caller has asked to stop. Passes call it between their steps.
+    ///
+    /// # Errors
+    /// [`PassError::Cancelled`].
+    pub fn check_cancelled(&self) -> Result<(), PassError> {
+        match self.cancel {
+            Some(cancel) if cancel.load(Ordering::Relaxed) => Err(PassError::Cancelled),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The mesh as stored and all that was done to it since.
+#[derive(Clone, Debug)]
+pub struct History {
+    stored: PolygonMesh,
+    provenance: Provenance,
+}
+
+impl History {
+    /// The history of a mesh to which nothing was done yet.
+    pub fn begin(stored: &PolygonMesh) -> Self {
+        History { stored: stored.clone(), provenance: Provenance::same(stored.counts()) }
+    }
+
+    /// The mesh as stored.
+    pub fn stored(&self) -> &PolygonMesh {
+        &self.stored
+    }
+
+    /// Where each element of the present mesh was as stored.
+    pub fn provenance(&self) -> &Provenance {
+        &self.provenance
+    }
+
+    /// The history after one more pass.
+    pub fn extended(&self, later: &Provenance, result: &PolygonMesh) -> Self {
+        let provenance = self.provenance.then(later, self.stored.faces(), result.faces());
+        History { stored: self.stored.clone(), provenance }
+    }
+}
+
+/// The vertices as stored behind a mesh's corners: its *names*.
+///
+/// A name below the number of stored vertices is a stored vertex; names beyond belong to vertices that an earlier
+/// pass created.
+pub(crate) struct StoredNames<'a> {
+    mesh: &'a PolygonMesh,
+    complex: &'a Complex,
+    history: Option<&'a History>,
+}
+
+impl<'a> StoredNames<'a> {
+    pub(crate) fn new(mesh: &'a PolygonMesh, context: &Context<'a>) -> Self {
+        let history = context.history.filter(|h| !h.provenance.is_same());
+        StoredNames { mesh, complex: mesh.complex(), history }
+    }
+
+    /// How many names there are.
+    pub(crate) fn count(&self) -> usize {
+        self.stored_count() + self.history.map_or(0, |_| self.mesh.counts().vertices)
+    }
+
+    fn stored_count(&self) -> usize {
+        self.history.map_or(self.mesh.counts().vertices, |h| h.stored.counts().vertices)
+    }
+
+    /// The name of the vertex behind a corner of the complex.
+    #[inline]
+    pub(crate) fn of(&self, corner: CornerId) -> VertexId {
+        let present = self.complex.faces().corner_vertex(corner);
+        let Some(history) = self.history else { return present };
+        match history.provenance.corners.of(self.complex.stored_corner(corner)) {
+            Some(stored) => history.stored.faces().corner_vertex(stored),
+            None => self.of_created(present),
+        }
+    }
+
+    /// The name of a vertex that has no corner.
+    pub(crate) fn of_vertex(&self, present: VertexId) -> VertexId {
+        let Some(history) = self.history else { return present };
+        history.provenance.vertices.of(present).unwrap_or_else(|| self.of_created(present))
+    }
+
+    fn of_created(&self, present: VertexId) -> VertexId {
+        VertexId::new(self.stored_count() + present.index())
+    }
+
+    /// The point of the vertex with a name.
+    pub(crate) fn position(&self, name: VertexId) -> [f64; 3] {
+        match (self.history, name.index().checked_sub(self.stored_count())) {
+            (Some(_), Some(present)) => self.mesh.position(VertexId::new(present)),
+            (Some(history), None) => history.stored.position(name),
+            (None, _) => self.mesh.position(name),
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Passes one after another, with one record of all that was done.
+
+use std::sync::atomic::AtomicBool;
+
+use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Provenance};
+use meshmend_kernels::KernelKind;
+use meshmend_topology::TopologyReport;
+
+use crate::figures::Figures;
+use crate::{AnyPass, Context, History, NonOrientable, Outcome, PassError, PassKind, Seams, SplitEdges};
+
+/// Passes in order, with their options.
+///
+/// ```
+/// # use meshmend_core::{FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_repair::Pipeline;
+/// // Two triangles that share an edge by position only, one of them the wrong way round.
+/// let positions = [[0, 0], [1, 0], [0, 1], [1, 0], [0, 1], [1, 1]].map(|[x, y]| [x.into(), y.into(), 0.0]);
+/// let faces = FaceTable::triangles(6, (0..6).map(VertexId).collect())?;
+/// let mesh = PolygonMesh::new(positions.to_vec(), faces)?;
+/// let repaired = Pipeline::default().run(&mesh)?;
+/// assert_eq!(repaired.mesh.positions().len(), 4);
+/// assert_eq!(repaired.provenance.flipped.len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pipeline {
+    passes: Vec<AnyPass>,
+    kernel: KernelKind,
+    takes_figures: bool,
+}
+
+impl Default for Pipeline {
+    /// weld → clean → orient → split → triangulate → compact → recompute, each with its defaults.
+    fn default() -> Self {
+        Pipeline::new(PassKind::ALL.iter().map(|kind| kind.with_defaults()))
+    }
+}
+
+/// What a pipeline gives back.
+#[derive(Clone, Debug)]
+pub struct Repaired {
+    /// The mesh as it is now.
+    pub mesh: PolygonMesh,
+    /// Where each of its elements was as stored.
+    pub provenance: Provenance,
+    /// What each pass did, in order.
+    pub passes: Vec<PassRecord>,
+    /// Each stored face of which nothing is left, with the reason, ascending.
+    pub removed_faces: Vec<RemovedFace>,
+    /// The topology of the result, if the last pass was `recompute`.
+    pub report: Option<Box<TopologyReport>>,
+}
+
+/// A stored face of which nothing is left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RemovedFace {
+    /// Its id as stored.
+    pub face: FaceId,
+    /// The pass that removed it.
+    pub pass: PassKind,
+    /// Why.
+    pub reason: DefectKind,
+}
+
+/// What one pass of a pipeline did.
+#[derive(Clone, Debug)]
+pub struct PassRecord {
+    /// The pass.
+    pub pass: PassKind,
+    /// Whether it changed anything.
+    pub is_changed: bool,
+    /// What was wrong and no longer is, by ids of the mesh before this pass.
+    pub mended: Vec<Defect>,
+    /// What it left alone, by ids of the mesh after it.
+    pub left: Vec<Defect>,
+    /// χ, components and boundary loops before and after, if asked for.
+    pub figures: Option<[Figures; 2]>,
+}
+
+impl Pipeline {
+    /// A pipeline of these passes, in this order.
+    ///
+    /// Where `orient` cuts non-orientable patches, a later `split` opens the seams.
+    pub fn new(passes: impl IntoIterator<Item = AnyPass>) -> Self {
+        let mut passes: Vec<AnyPass> = passes.into_iter().collect();
+        let mut cuts = false;
+        for pass in &mut passes {
+            match pass {
+                AnyPass::Orient(orient) => cuts |= orient.non_orientable == NonOrientable::Cut,
+                AnyPass::Split(split) if cuts => split.seams = Seams::Cut,
+                _ => {}
+            }
+        }
+        Pipeline { passes, kernel: KernelKind::default(), takes_figures: false }
+    }
+
+    /// The pipeline computing on another kernel. The result is the same from every kernel that can hold the mesh.
+    pub fn on_kernel(self, kernel: KernelKind) -> Self {
+        Pipeline { kernel, ..self }
+    }
+
+    /// The pipeline taking χ, components and boundary loops before and after each pass that changes something.
+    pub fn with_figures(self) -> Self {
+        Pipeline { takes_figures: true, ..self }
+    }
+
+    /// The passes, in order.
+    pub fn passes(&self) -> &[AnyPass] {
+        &self.passes
+    }
+
+    /// Repairs a mesh.
+    ///
+    /// # Errors
+    /// When a policy says so, or the kernel can't hold the mesh.
+    pub fn run(&self, mesh: &PolygonMesh) -> Result<Repaired, PassError> {
+        self.run_watched(mesh, None, |_| {})
+    }
+
+    /// Repairs a mesh, telling `observe` which pass begins; stops when another thread sets `cancel`.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run), and when cancelled.
+    pub fn run_watched(
+        &self,
+        mesh: &PolygonMesh,
+        cancel: Option<&AtomicBool>,
+        mut observe: impl FnMut(PassKind),
+    ) -> Result<Repaired, PassError> {
+        let mut run = Run::begin(mesh, self.takes_figures);
+        for pass in &self.passes {
+            observe(pass.kind());
+            let context = Context { kernel: self.kernel, history: Some(&run.history), cancel };
+            context.check_cancelled()?;
+            let outcome = pass.as_pass().apply(&run.mesh, &context)?;
+            run.record(pass.kind(), outcome);
+        }
+        self.check_promises(&run)?;
+        Ok(run.finish())
+    }
+
+    /// Fails when `recompute` ended the pipeline and found what a pass had promised to remove.
+    fn check_promises(&self, run: &Run) -> Result<(), PassError> {
+        let Some(report) = &run.report else { return Ok(()) };
+        let mut promised: Vec<DefectKind> = Vec::new();
+        for pass in &self.passes {
+            let pass = pass.as_pass();
+            promised.retain(|kind| !pass.may_introduce().contains(kind));
+            if pass.requires().iter().all(|kind| promised.contains(kind)) {
+                promised.extend(pass.removes());
+            }
+        }
+        for kind in promised {
+            let is_twisted = report.non_orientable_patches > 0;
+            if kind == DefectKind::InconsistentEdge && is_twisted {
+                continue;
+            }
+            if let Some(defect) = report.defects.of_kind(kind).next() {
+                return Err(PassError::Promise { pass: "the pipeline", defect });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the result is manifold whatever the input: whether it splits edges, or leaves them alone.
+    pub fn makes_manifold(&self) -> bool {
+        self.passes.iter().any(|pass| matches!(pass, AnyPass::Split(s) if s.edges != SplitEdges::PinchOnly))
+    }
+}
+
+/// A pipeline under way.
+struct Run {
+    mesh: PolygonMesh,
+    history: History,
+    passes: Vec<PassRecord>,
+    removed_faces: Vec<RemovedFace>,
+    report: Option<Box<TopologyReport>>,
+    figures: Option<Figures>,
+}
+
+impl Run {
+    fn begin(mesh: &PolygonMesh, takes_figures: bool) -> Self {
+        Run {
+            mesh: mesh.clone(),
+            history: History::begin(mesh),
+            passes: Vec::new(),
+            removed_faces: Vec::new(),
+            report: None,
+            figures: takes_figures.then(|| Figures::of(mesh)),
+        }
+    }
+
+    fn record(&mut self, pass: PassKind, outcome: Outcome) {
+        let is_changed = !outcome.provenance.is_same() || !outcome.mended.is_empty();
+        let before = self.figures;
+        if is_changed {
+            self.name_removed_faces(pass, &outcome);
+            self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
+            self.figures = before.map(|_| Figures::of(&outcome.mesh));
+            self.report = None;
+        }
+        self.mesh = outcome.mesh;
+        self.report = outcome.report.or(self.report.take());
+        let figures = before.zip(self.figures).map(|(before, after)| [before, after]);
+        self.passes.push(PassRecord { pass, is_changed, mended: outcome.mended, left: outcome.left, figures });
+    }
+
+    /// Finds, for each face of which this pass left nothing, the defect that names it.
+    fn name_removed_faces(&mut self, pass: PassKind, outcome: &Outcome) {
+        let mut reasons: Vec<(FaceId, DefectKind)> =
+            outcome.mended.iter().filter_map(|defect| Some((removed_face(defect)?, defect.kind()))).collect();
+        reasons.sort_unstable();
+        for face in outcome.provenance.removed_faces() {
+            let at = reasons.partition_point(|(named, _)| *named < face);
+            let named = reasons.get(at).filter(|(named, _)| *named == face);
+            let Some(stored) = self.history.provenance().faces.of(face) else { continue };
+            let reason = named.map_or(DefectKind::DegenerateFace, |(_, kind)| *kind);
+            self.removed_faces.push(RemovedFace { face: stored, pass, reason });
+        }
+    }
+
+    fn finish(self) -> Repaired {
+        let provenance = self.history.provenance().clone();
+        let survives = provenance.faces.survivors(provenance.before.faces);
+        let mut removed_faces = self.removed_faces;
+        // A face that was split has several parts, and is gone only when all of them are.
+        removed_faces.retain(|removed| !survives[removed.face.0 as usize]);
+        removed_faces.sort_by_key(|removed| removed.face);
+        removed_faces.dedup_by_key(|removed| removed.face);
+        Repaired { mesh: self.mesh, provenance, passes: self.passes, removed_faces, report: self.report }
+    }
+}
+
+/// The face that a defect names, for the kinds that make a face go.
+fn removed_face(defect: &Defect) -> Option<FaceId> {
+    match *defect {
+        Defect::DegenerateFace { face }
+        | Defect::NonFiniteFace { face, .. }
+        | Defect::DuplicateFace { face, .. }
+        | Defect::OppositeFace { face, .. } => Some(face),
+        _ => None,
+    }
+}

@@ -1,0 +1,191 @@
+//! Pairs what is free at an edge of degree three or more into sheets, by the radial order of all its uses.
+//!
+//! With outward right-hand normals solid lies between a backward use and the next forward one; a closed orientable
+//! patch of negative volume is read the other way. Matched are in turn:
+//!
+//! * (a) neighbours in the full order, both free, of one patch, with solid between them;
+//! * (b) free uses of one patch, opposite direction and different angle, as brackets are matched;
+//! * (c) as a, of any patches;
+//! * (d) as b, of any patches and angles.
+//!
+//! The rest becomes boundary. So touching solids come apart, a sheet stays whole, double walls keep two sides, and
+//! nothing is crossed.
+
+use std::collections::VecDeque;
+
+use meshmend_core::{Column, Connectivity, EdgeId, FaceId, PolygonMesh};
+use rayon::prelude::*;
+
+use super::radial::{RadialUse, radial_order};
+use crate::matching::{Joined, Matching, SidedSets, run_the_same_way};
+use crate::volume::SignedVolume;
+
+/// Completes a matching at the edges where two or more uses are free.
+///
+/// *Cost*: O(n + Σ d log d) over the degrees d of those edges.
+pub(super) fn match_sheets<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, matching: &mut Matching) {
+    let wanting = |&edge: &EdgeId| {
+        kernel.edge_corners(edge).take(3).count() == 3
+            && kernel.edge_corners(edge).filter(|&c| matching.is_free(c)).take(2).count() == 2
+    };
+    let edges: Vec<EdgeId> = kernel.edges().filter(wanting).collect();
+    if edges.is_empty() {
+        return;
+    }
+    let patches = PatchSides::of(kernel, mesh, matching);
+    let pair_up = |&edge: &EdgeId| {
+        let order = radial_order(kernel, mesh, edge);
+        let mut round = Round { kernel, patches: &patches, is_free: Vec::new(), pairs: Vec::new(), order };
+        round.is_free = round.order.iter().map(|u| matching.is_free(u.corner)).collect();
+        round.match_all();
+        round.corner_pairs()
+    };
+    let pairs: Vec<Vec<_>> = edges.par_iter().map(pair_up).collect();
+    pairs.into_iter().flatten().for_each(|(one, other)| matching.pair(one, other));
+}
+
+/// The patch of each face, and which patches are to be read inside out.
+pub(super) struct PatchSides {
+    patch: Column<FaceId, FaceId>,
+    is_inside_out: Column<FaceId, bool>,
+    is_twisted: Column<FaceId, bool>,
+}
+
+impl PatchSides {
+    pub(super) fn of<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, matching: &Matching) -> Self {
+        let mut sides = Self::patches(kernel, matching);
+        let mut is_open = sides.is_twisted.clone();
+        for edge in kernel.edges() {
+            let mut balance: Vec<(FaceId, i32)> = kernel
+                .edge_corners(edge)
+                .map(|c| (sides.patch[kernel.corner_face(c)], if kernel.is_forward(c) { 1 } else { -1 }))
+                .collect();
+            balance.sort_unstable();
+            for patch in balance.chunk_by(|one, other| one.0 == other.0) {
+                if patch.iter().map(|(_, way)| way).sum::<i32>() != 0 {
+                    is_open[patch[0].0] = true;
+                }
+            }
+        }
+        let mut volumes: Column<FaceId, Option<SignedVolume>> =
+            kernel.faces().map(|f| (sides.patch[f] == f && !is_open[f]).then(SignedVolume::new)).collect();
+        for face in kernel.faces() {
+            if let Some(volume) = &mut volumes[sides.patch[face]] {
+                volume.add_face(mesh, kernel.face_corners(face), false);
+            }
+        }
+        sides.is_inside_out =
+            volumes.values().iter().map(|volume| volume.as_ref().is_some_and(|v| v.sign() < 0)).collect();
+        sides
+    }
+
+    /// The patches alone, with those that have no consistent side.
+    pub(super) fn patches<K: Connectivity>(kernel: &K, matching: &Matching) -> Self {
+        let mut sets = SidedSets::new(kernel.face_count());
+        let mut contradicted = Vec::new();
+        for (one, other) in matching.pairs() {
+            let (f, g) = (kernel.corner_face(one), kernel.corner_face(other));
+            if let Joined::Contradicts { root } = sets.join(f, g, run_the_same_way(kernel, one, other)) {
+                contradicted.push(root);
+            }
+        }
+        let patch: Column<FaceId, FaceId> = kernel.faces().map(|f| sets.find(f).0).collect();
+        let mut is_twisted = Column::filled(false, kernel.face_count());
+        contradicted.into_iter().for_each(|face| is_twisted[patch[face]] = true);
+        PatchSides { is_inside_out: Column::filled(false, kernel.face_count()), patch, is_twisted }
+    }
+
+    /// Whether the patch of a face has no consistent side.
+    pub(super) fn is_twisted(&self, face: FaceId) -> bool {
+        self.is_twisted[self.patch[face]]
+    }
+}
+
+/// The pairing round one edge; uses go by their place in the order.
+struct Round<'a, K> {
+    kernel: &'a K,
+    patches: &'a PatchSides,
+    order: Vec<RadialUse>,
+    is_free: Vec<bool>,
+    pairs: Vec<(usize, usize)>,
+}
+
+impl<K: Connectivity> Round<'_, K> {
+    fn match_all(&mut self) {
+        self.pair_neighbours(|round, a, b| round.same_patch(a, b) && round.is_solid_between(a, b));
+        self.pair_like_brackets(|round, a, b| {
+            round.same_patch(a, b) && round.is_opposite(a, b) && round.is_apart(a, b)
+        });
+        self.pair_neighbours(Self::is_solid_between);
+        self.pair_like_brackets(Self::is_opposite);
+    }
+
+    fn corner_pairs(&self) -> Vec<(meshmend_core::CornerId, meshmend_core::CornerId)> {
+        self.pairs.iter().map(|&(a, b)| (self.order[a].corner, self.order[b].corner)).collect()
+    }
+
+    fn patch(&self, place: usize) -> FaceId {
+        self.patches.patch[self.kernel.corner_face(self.order[place].corner)]
+    }
+
+    fn same_patch(&self, a: usize, b: usize) -> bool {
+        self.patch(a) == self.patch(b)
+    }
+
+    fn is_opposite(&self, a: usize, b: usize) -> bool {
+        self.order[a].is_forward != self.order[b].is_forward
+    }
+
+    fn is_apart(&self, a: usize, b: usize) -> bool {
+        self.order[a].angle.is_none() || self.order[a].angle != self.order[b].angle
+    }
+
+    fn is_outward_forward(&self, a: usize) -> bool {
+        self.order[a].is_forward != self.patches.is_inside_out[self.patch(a)]
+    }
+
+    fn is_solid_between(&self, a: usize, b: usize) -> bool {
+        self.is_opposite(a, b) && !self.is_outward_forward(a) && self.is_outward_forward(b)
+    }
+
+    fn pair(&mut self, a: usize, b: usize) {
+        (self.is_free[a], self.is_free[b]) = (false, false);
+        self.pairs.push((a, b));
+    }
+
+    /// Neighbours in the full circular order, once round.
+    fn pair_neighbours(&mut self, wanted: impl Fn(&Self, usize, usize) -> bool) {
+        let count = self.order.len();
+        for a in 0..count {
+            let b = (a + 1) % count;
+            if self.is_free[a] && self.is_free[b] && wanted(self, a, b) {
+                self.pair(a, b);
+            }
+        }
+    }
+
+    /// Neighbours among the free uses, as brackets are matched; then the two ends of what is left.
+    fn pair_like_brackets(&mut self, wanted: impl Fn(&Self, usize, usize) -> bool) {
+        let mut stack: VecDeque<usize> = VecDeque::new();
+        for place in 0..self.order.len() {
+            if !self.is_free[place] {
+                continue;
+            }
+            match stack.back() {
+                Some(&top) if wanted(self, top, place) => {
+                    stack.pop_back();
+                    self.pair(top, place);
+                }
+                _ => stack.push_back(place),
+            }
+        }
+        while let (Some(&first), Some(&last)) = (stack.front(), stack.back()) {
+            if stack.len() < 2 || !wanted(self, last, first) {
+                break;
+            }
+            stack.pop_back();
+            stack.pop_front();
+            self.pair(last, first);
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Gives edges that would coincide a vertex of their own each.
+//!
+//! Two different matched edges, or free uses, may come to join the same two new vertices, their umbrellas being
+//! connected elsewhere. By index they would be one edge again. Then every edge at that place is subdivided, each at
+//! the first free point of 1/2, 1/3, 2/3, 1/4, … 63/64 between the lower and the higher vertex of the edge.
+
+use std::collections::BTreeSet;
+
+use meshmend_core::{Blend, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
+
+use super::classes::NewVertices;
+use crate::matching::Matching;
+
+/// What is inserted into the sides of an edge.
+pub(super) struct Inserted {
+    /// The new vertices, in order; the first follows the last vertex of the result so far.
+    pub(super) vertices: Vec<VertexDraft>,
+    /// For each side that gets one, the place of its new vertex in that list and where it is; by ascending corner.
+    pub(super) sides: Vec<(CornerId, u32, Blend)>,
+    /// The edges that were subdivided, ascending.
+    pub(super) edges: Vec<EdgeId>,
+}
+
+/// Finds the edges that would coincide, and subdivides them.
+///
+/// *Cost*: O(Σ d log d) over the degrees d of edges with more than two uses or unmatched ones; the positions are
+/// sorted only when there is something to do.
+pub(super) fn subdivide<K: Connectivity>(
+    kernel: &K,
+    mesh: &PolygonMesh,
+    matching: &Matching,
+    names: &NewVertices,
+) -> Inserted {
+    let edges: Vec<EdgeId> =
+        kernel.edges().filter(|&edge| coincide(kernel, matching, names, edge)).collect();
+    let mut inserted = Inserted { vertices: Vec::new(), sides: Vec::new(), edges };
+    if inserted.edges.is_empty() {
+        return inserted;
+    }
+    let mut occupied: BTreeSet<[u64; 3]> = names.positions.iter().map(|&p| key(p)).collect();
+    for edge in inserted.edges.clone() {
+        let ends = kernel.edge_ends(edge).map(|v| mesh.position(v));
+        let mut points = Points { ends, ratios: Box::new(ratios()) };
+        for corner in kernel.edge_corners(edge) {
+            let mate = matching.mate(corner);
+            if mate.is_some_and(|mate| mate < corner) {
+                continue;
+            }
+            let (position, ratio) = points.next_free(&mut occupied);
+            let place = inserted.vertices.len() as u32;
+            inserted.vertices.push(VertexDraft { position, place: blend(kernel, corner, ratio) });
+            for side in [Some(corner), mate].into_iter().flatten() {
+                inserted.sides.push((side, place, blend(kernel, side, ratio)));
+            }
+        }
+    }
+    inserted.sides.sort_unstable_by_key(|(corner, _, _)| *corner);
+    inserted
+}
+
+/// Whether two different edges of the result along one edge of the mesh join the same two vertices.
+fn coincide<K: Connectivity>(kernel: &K, matching: &Matching, names: &NewVertices, edge: EdgeId) -> bool {
+    let mut uses = kernel.edge_corners(edge);
+    match (uses.next(), uses.next(), uses.next()) {
+        (Some(one), Some(other), None) if matching.mate(one) == Some(other) => return false,
+        (_, None, _) => return false,
+        _ => {}
+    }
+    let is_first = |c: &CornerId| matching.mate(*c).is_none_or(|mate| *c < mate);
+    let ends_of = |c: CornerId| {
+        let (a, b) = (names.of_corner[c], names.of_corner[kernel.next_corner(c)]);
+        (a.min(b), a.max(b))
+    };
+    let mut ends: Vec<_> = kernel.edge_corners(edge).filter(is_first).map(ends_of).collect();
+    ends.sort_unstable();
+    ends.windows(2).any(|pair| pair[0] == pair[1])
+}
+
+/// The ratios of the text, and at last the midpoint for all that remain.
+fn ratios() -> impl Iterator<Item = (u32, u32)> {
+    (2..=64).flat_map(|d| (1..d).map(move |n| (n, d)))
+}
+
+/// The points of one edge that are still to be tried; what was occupied once stays so.
+struct Points {
+    ends: [[f64; 3]; 2],
+    ratios: Box<dyn Iterator<Item = (u32, u32)>>,
+}
+
+impl Points {
+    fn next_free(&mut self, occupied: &mut BTreeSet<[u64; 3]>) -> ([f64; 3], (u32, u32)) {
+        let ends = self.ends;
+        let at = |(n, d): (u32, u32)| -> [f64; 3] {
+            let between = |i: usize| ends[0][i] + (ends[1][i] - ends[0][i]) * f64::from(n) / f64::from(d);
+            std::array::from_fn(between)
+        };
+        for ratio in self.ratios.by_ref() {
+            if occupied.insert(key(at(ratio))) {
+                return (at(ratio), ratio);
+            }
+        }
+        (at((1, 2)), (1, 2))
+    }
+}
+
+/// A position as bits, −0 being 0.
+fn key(position: [f64; 3]) -> [u64; 3] {
+    position.map(|x| (x + 0.0).to_bits())
+}
+
+/// The place of a point between an edge's lower and higher vertex, as seen along one of its sides.
+fn blend<K: Connectivity>(kernel: &K, side: CornerId, (numerator, denominator): (u32, u32)) -> Blend {
+    let next = kernel.next_corner(side);
+    let (from, to) = if kernel.is_forward(side) { (side, next) } else { (next, side) };
+    Blend::Along { from, to, numerator, denominator }
+}

@@ -1,0 +1,155 @@
+//! Joins vertices that are in the same place.
+//!
+//! *Why*: files without shared vertices (STL) fall apart into single triangles, and exporters split vertices along
+//! seams of texture or normals.
+//!
+//! *Exact* (default): positions equal as numbers: −0 equals 0, and what is not finite equals nothing.
+//! *Tolerance ε*: the connected components of "distance ≤ ε", so no pair within ε is missed.
+//!
+//! 1. Find the classes.
+//! 2. Each class becomes its lowest vertex, whose position is kept to the bit. Attributes that differ across
+//!    welded vertices move to the corners; none is averaged or dropped.
+//!
+//! *Promises* no coincident vertices. *Requires* nothing. *May introduce* degenerate faces, duplicates and
+//! non-manifold edges and vertices: in a pipeline `orient` and `split` keep apart again what would leave the mesh
+//! non-manifold, so that there welding is stitching and can't make a mesh worse. *Cost*: O(n log n) exact; see the
+//! grid for tolerance.
+
+use meshmend_core::{
+    Defect, DefectKind, Draft, FaceTable, Id, PolygonMesh, Sources, VertexId,
+};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::{Context, Outcome, Pass, PassError, near};
+
+/// Joins vertices that are in the same place.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Weld {
+    /// When two vertices are in the same place.
+    pub distance: Distance,
+}
+
+/// When two vertices are in the same place.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Distance {
+    /// When their positions are equal as numbers.
+    #[default]
+    Exact,
+    /// When a chain of vertices joins them, each within so many units of length of the next.
+    Absolute(f64),
+    /// The same, in parts of the bounding box's diagonal: 0.001 is a thousandth of it.
+    Relative(f64),
+}
+
+impl Pass for Weld {
+    fn name(&self) -> &'static str {
+        "weld"
+    }
+    fn removes(&self) -> &'static [DefectKind] {
+        &[DefectKind::CoincidentVertex]
+    }
+    fn requires(&self) -> &'static [DefectKind] {
+        &[]
+    }
+    fn may_introduce(&self) -> &'static [DefectKind] {
+        &[
+            DefectKind::DegenerateFace,
+            DefectKind::NonSimpleFace,
+            DefectKind::RepeatedCorner,
+            DefectKind::DuplicateFace,
+            DefectKind::OppositeFace,
+            DefectKind::NonManifoldEdge,
+            DefectKind::InconsistentEdge,
+            DefectKind::PinchedVertex,
+            DefectKind::SingularVertex,
+            DefectKind::NonOrientablePatch,
+        ]
+    }
+
+    fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
+        let lowest = match self.distance {
+            Distance::Exact => coincident_vertices(mesh),
+            Distance::Absolute(epsilon) => within(mesh, epsilon, context)?,
+            Distance::Relative(part) => within(mesh, part * near::diagonal(mesh.positions()), context)?,
+        };
+        join_to(mesh, &lowest)
+    }
+}
+
+/// For each vertex the lowest one at the same position: −0 equals 0, and what is not finite equals nothing.
+///
+/// *Cost*: one sort of the finite positions.
+pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
+    let positions = mesh.positions();
+    let mut lowest: Vec<VertexId> = (0..positions.len()).map(VertexId::new).collect();
+    let finite = |v: usize| positions[v].iter().all(|x| x.is_finite());
+    if positions.par_iter().all(|p| p.iter().all(|&x| f64::from(x as f32) == x)) {
+        let key = |v: usize| {
+            let [x, y, z] = positions[v].map(|x| u128::from((x as f32 + 0.0).to_bits()));
+            x << 96 | y << 64 | z << 32 | v as u128
+        };
+        let mut keys: Vec<u128> = (0..positions.len()).into_par_iter().filter(|&v| finite(v)).map(key).collect();
+        keys.par_sort_unstable();
+        for run in keys.chunk_by(|one, other| one >> 32 == other >> 32) {
+            run.iter().for_each(|&key| lowest[key as u32 as usize] = VertexId(run[0] as u32));
+        }
+    } else {
+        let key = |v: usize| (positions[v].map(|x| (x + 0.0).to_bits()), v as u32);
+        let mut keys: Vec<_> = (0..positions.len()).into_par_iter().filter(|&v| finite(v)).map(key).collect();
+        keys.par_sort_unstable();
+        for run in keys.chunk_by(|one, other| one.0 == other.0) {
+            run.iter().for_each(|key| lowest[key.1 as usize] = VertexId(run[0].1));
+        }
+    }
+    lowest
+}
+
+fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec<VertexId>, PassError> {
+    if epsilon == 0.0 {
+        Ok(coincident_vertices(mesh))
+    } else if epsilon.is_finite() && epsilon > 0.0 {
+        near::classes(mesh.positions(), epsilon, context)
+    } else {
+        Err(PassError::Request { pass: "weld", reason: format!("a tolerance of {epsilon} is no distance") })
+    }
+}
+
+/// The mesh with each vertex replaced by the lowest one of its class.
+fn join_to(mesh: &PolygonMesh, lowest: &[VertexId]) -> Result<Outcome, PassError> {
+    let joined = lowest.iter().zip(0..).filter(|&(low, v)| low.0 != v);
+    let mended: Vec<Defect> =
+        joined.map(|(&original, v)| Defect::CoincidentVertex { vertex: VertexId(v), original }).collect();
+    if mended.is_empty() {
+        return Ok(Outcome::unchanged(mesh));
+    }
+    let mut new_id = vec![VertexId(0); lowest.len()];
+    let mut sources = Vec::with_capacity(lowest.len() - mended.len());
+    for (v, &low) in lowest.iter().enumerate() {
+        new_id[v] = if low.index() == v {
+            sources.push(Some(low));
+            VertexId::new(sources.len() - 1)
+        } else {
+            new_id[low.index()]
+        };
+    }
+    let old = mesh.faces();
+    let corners = old.corner_vertices().par_iter().map(|v| new_id[v.index()]).collect();
+    let faces = match old.starts() {
+        None => FaceTable::triangles(sources.len(), corners),
+        Some(starts) => FaceTable::polygons(sources.len(), starts.to_vec(), corners),
+    };
+    let draft = Draft {
+        vertex_sources: Sources::listed(sources),
+        merged_into: Some(new_id),
+        ..Draft::of_faces(
+            mesh,
+            faces?,
+            Sources::same(old.face_count()),
+            Sources::same(old.corner_count()),
+        )
+    };
+    Ok(Outcome::changed(mesh.rebuild(draft)?, mended))
+}

@@ -1,0 +1,121 @@
+//! The default pipeline with `triangulate off` against the reference, face by face.
+//!
+//! The cases come from `reference_cases.py`, which asks the reference itself; where that is not at hand the test says
+//! that it was skipped. More cases than the usual number: `MESHMEND_REFERENCE_CASES=100000`, or a file of cases made
+//! before: `MESHMEND_REFERENCE_FILE=…`.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+
+use meshmend_core::{FaceTableBuilder, PolygonMesh, VertexId};
+use meshmend_kernels::KernelKind;
+use meshmend_repair::{Pipeline, Plan, PassKind, Repaired, SplitEdges};
+use serde_json::Value;
+
+fn case_lines() -> Option<Box<dyn Iterator<Item = String>>> {
+    if let Ok(path) = std::env::var("MESHMEND_REFERENCE_FILE") {
+        let file = std::fs::File::open(path).unwrap();
+        return Some(Box::new(BufReader::new(file).lines().map(Result::unwrap)));
+    }
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/reference");
+    if !std::path::Path::new(root).join("repair_reference.py").exists() {
+        println!("skipped: the reference is not here ({root})");
+        return None;
+    }
+    let count = std::env::var("MESHMEND_REFERENCE_CASES").unwrap_or_else(|_| "1500".into());
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference_cases.py");
+    let Ok(child) =
+        Command::new("python3").args([script, root, "0", &count]).stdout(Stdio::piped()).spawn()
+    else {
+        println!("skipped: there is no python3");
+        return None;
+    };
+    Some(Box::new(BufReader::new(child.stdout.unwrap()).lines().map(Result::unwrap)))
+}
+
+fn mesh_of(case: &Value) -> PolygonMesh {
+    let position = |p: &Value| match p.as_array() {
+        Some(p) => [0, 1, 2].map(|i| p[i].as_f64().unwrap()),
+        None => [f64::NAN; 3],
+    };
+    let positions: Vec<[f64; 3]> = case["positions"].as_array().unwrap().iter().map(position).collect();
+    let mut builder = FaceTableBuilder::default();
+    for face in case["faces"].as_array().unwrap() {
+        builder.push_face(face.as_array().unwrap().iter().map(|v| VertexId(v.as_u64().unwrap() as u32)));
+    }
+    let faces = builder.build(positions.len()).unwrap();
+    PolygonMesh::new(positions, faces).unwrap()
+}
+
+/// A repair's result in the reference's words.
+fn words_of(repaired: &Repaired) -> Value {
+    let faces = repaired.mesh.faces();
+    let list: Vec<Vec<u32>> =
+        faces.faces().map(|f| rotated(faces.face_vertices(f).iter().map(|v| v.0).collect())).collect();
+    let mut flipped = vec![false; list.len()];
+    repaired.provenance.flipped.iter().for_each(|f| flipped[f.0 as usize] = true);
+    let twisted: Vec<u32> = repaired.report.as_ref().unwrap().defects.iter().filter_map(|d| match d {
+        meshmend_core::Defect::NonOrientablePatch { faces, .. } => faces.iter().map(|f| f.0).min(),
+        _ => None,
+    }).collect();
+    serde_json::json!({
+        "faces": list,
+        "source_vertex": repaired.provenance.vertices,
+        "source_face": repaired.provenance.faces,
+        "flipped": flipped,
+        "inserted": repaired.provenance.created.len(),
+        "non_orientable": twisted.len(),
+    })
+}
+
+fn expected(case: &Value) -> Value {
+    let faces = case["faces"].as_array().unwrap().iter();
+    let faces: Vec<Vec<u32>> = faces
+        .map(|f| rotated(f.as_array().unwrap().iter().map(|v| v.as_u64().unwrap() as u32).collect()))
+        .collect();
+    serde_json::json!({
+        "faces": faces,
+        "source_vertex": case["source_vertex"],
+        "source_face": case["source_face"],
+        "flipped": case["flipped"],
+        "inserted": case["inserted"].as_object().unwrap().len(),
+        "non_orientable": case["non_orientable"].as_array().unwrap().len(),
+    })
+}
+
+fn rotated(mut face: Vec<u32>) -> Vec<u32> {
+    let least = face.iter().enumerate().min_by_key(|(_, v)| **v).map_or(0, |(i, _)| i);
+    face.rotate_left(least);
+    face
+}
+
+fn pipeline(edges: SplitEdges) -> Pipeline {
+    let mut plan = Plan::default().without(PassKind::Triangulate);
+    plan.split.edges = edges;
+    plan.pipeline()
+}
+
+#[test]
+fn the_default_pipeline_is_the_reference() {
+    let Some(lines) = case_lines() else { return };
+    let permissive: Vec<KernelKind> =
+        KernelKind::ALL.iter().copied().filter(|k| k.capabilities().is_permissive()).collect();
+    let pools: Vec<rayon::ThreadPool> =
+        [1, 2, 8].map(|n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap()).into();
+    let mut count = 0;
+    for line in lines {
+        let case: Value = serde_json::from_str(&line).unwrap();
+        let mesh = mesh_of(&case);
+        for (name, edges) in [("sheets", SplitEdges::Sheets), ("cut", SplitEdges::Cut)] {
+            let wanted = expected(&case[name]);
+            for &kernel in &permissive {
+                let found = pools[count % 3].install(|| pipeline(edges).on_kernel(kernel).run(&mesh));
+                let found = words_of(&found.unwrap_or_else(|e| panic!("seed {}: {e}", case["seed"])));
+                assert_eq!(found, wanted, "{name} on {kernel}, seed {}: {}", case["seed"], case["faces"]);
+            }
+        }
+        count += 1;
+    }
+    println!("{count} random meshes repaired as the reference does");
+    assert!(count > 0);
+}

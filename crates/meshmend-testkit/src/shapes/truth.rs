@@ -1,0 +1,128 @@
+//! What is true of a shape, known beforehand.
+
+use crate::Soup;
+
+/// The figures of sections 1 to 3 of the semantics, from closed forms; χ is V − E + F.
+///
+/// Figures that are null for a mesh that is no manifold are `None`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Truth {
+    /// V: vertices in faces.
+    pub vertices: usize,
+    /// E.
+    pub edges: usize,
+    /// F: faces that are not degenerate.
+    pub faces: usize,
+    /// By shared vertices.
+    pub components: usize,
+    /// Whether every edge has one side or two, and every vertex one umbrella.
+    pub manifold: bool,
+    /// Whether every patch can be oriented.
+    pub orientable: bool,
+    /// Cycles of boundary edges, over all components.
+    pub boundary_loops: Option<usize>,
+    /// The sum over the orientable components.
+    pub genus: Option<usize>,
+    /// The sum over the others.
+    pub cross_caps: Option<usize>,
+    /// β₀, β₁, β₂ over Z/2.
+    pub betti_z2: [usize; 3],
+    /// β₀, β₁, β₂ over Q.
+    pub betti_q: [usize; 3],
+}
+
+/// A mesh and what is true of it.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// What it is called, in a test's message.
+    pub name: String,
+    /// The mesh.
+    pub soup: Soup,
+    /// Its figures.
+    pub truth: Truth,
+}
+
+/// Which closed surface: a sphere with handles, or with cross-caps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Closed {
+    /// Orientable, of this genus; 0 is the sphere.
+    Handles(usize),
+    /// Non-orientable, with this many cross-caps, at least one.
+    CrossCaps(usize),
+}
+
+impl Truth {
+    /// The figures of one connected surface, by the classification theorem.
+    pub fn surface(kind: Closed, holes: usize, vertices: usize, edges: usize, faces: usize) -> Self {
+        let closed = usize::from(holes == 0);
+        let (genus, cross_caps) = match kind {
+            Closed::Handles(g) => (g, 0),
+            Closed::CrossCaps(caps) => (0, caps),
+        };
+        let loops = 2 * genus + cross_caps + holes.saturating_sub(1);
+        let betti_z2 = [1, loops, closed];
+        let betti_q = match kind {
+            Closed::CrossCaps(_) if holes == 0 => [1, loops - 1, 0],
+            _ => betti_z2,
+        };
+        Truth {
+            vertices,
+            edges,
+            faces,
+            components: 1,
+            manifold: true,
+            orientable: cross_caps == 0,
+            boundary_loops: Some(holes),
+            genus: Some(genus),
+            cross_caps: Some(cross_caps),
+            betti_z2,
+            betti_q,
+        }
+    }
+
+    /// The figures of one connected complex that is no manifold, whose patches are all orientable and whose
+    /// homology has no torsion.
+    pub fn branched(betti: [usize; 3], vertices: usize, edges: usize, faces: usize) -> Self {
+        Truth {
+            vertices,
+            edges,
+            faces,
+            components: 1,
+            manifold: false,
+            orientable: true,
+            boundary_loops: None,
+            genus: None,
+            cross_caps: None,
+            betti_z2: betti,
+            betti_q: betti,
+        }
+    }
+
+    /// χ = V − E + F.
+    pub fn euler_characteristic(&self) -> i64 {
+        self.vertices as i64 - self.edges as i64 + self.faces as i64
+    }
+}
+
+impl Shape {
+    /// A connected surface.
+    pub(super) fn surface(
+        name: impl Into<String>,
+        soup: Soup,
+        kind: Closed,
+        holes: usize,
+        [vertices, edges, faces]: [usize; 3],
+    ) -> Self {
+        Shape { name: name.into(), soup, truth: Truth::surface(kind, holes, vertices, edges, faces) }
+    }
+
+    /// A connected complex that is no manifold, with orientable patches and no torsion.
+    pub(super) fn branched(
+        name: impl Into<String>,
+        soup: Soup,
+        betti: [usize; 3],
+        [vertices, edges, faces]: [usize; 3],
+    ) -> Self {
+        Shape { name: name.into(), soup, truth: Truth::branched(betti, vertices, edges, faces) }
+    }
+}

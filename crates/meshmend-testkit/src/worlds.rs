@@ -1,0 +1,174 @@
+//! Proptest strategies for meshes of any kind, and every small mesh there is.
+
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::subsequence;
+
+use crate::Soup;
+use crate::damage::{Damage, Unreal, Way};
+use crate::shapes::{Shape, catalogue};
+
+/// Tables of any shape: up to `faces` faces of 0 to 8 corners over up to 9 vertices, corners repeated at will, some
+/// vertices unreferenced; positions on a small grid, so that many coincide, and now and then not finite.
+pub fn any_table(faces: usize) -> impl Strategy<Value = Soup> {
+    (1..10usize).prop_flat_map(move |vertices| {
+        let face = prop_oneof![
+            3 => distinct_corners(vertices, 3..=4),
+            1 => vec(0..vertices as u32, 0..=8),
+        ];
+        (grid_positions(vertices), vec(face, 0..=faces))
+            .prop_map(|(positions, faces)| Soup { positions, faces })
+    })
+}
+
+/// Triangles with three different corners, over few vertices on a small grid.
+pub fn triangle_soup(faces: usize) -> impl Strategy<Value = Soup> {
+    (3..10usize).prop_flat_map(move |vertices| {
+        (finite_positions(vertices), vec(distinct_corners(vertices, 3..=3), 1..=faces))
+            .prop_map(|(positions, faces)| Soup { positions, faces })
+    })
+}
+
+/// As [`any_table`], over vertices in general position: what is wrong is wrong by index alone.
+pub fn generic_table(faces: usize) -> impl Strategy<Value = Soup> {
+    any_table(faces).prop_map(|soup| Soup::generic(soup.vertex_count(), soup.faces))
+}
+
+/// Points of a grid of one to four points a side, one in fifty with a coordinate that is not finite, and now and
+/// then −0 for 0.
+pub fn grid_positions(count: usize) -> impl Strategy<Value = Vec<[f64; 3]>> {
+    (0..4u32).prop_flat_map(move |side| {
+        let number = prop_oneof![
+            145 => (0..=side).prop_map(f64::from),
+            2 => Just(-0.0),
+            1 => unreal().prop_map(Unreal::value),
+        ];
+        vec([number.clone(), number.clone(), number], count)
+    })
+}
+
+/// Points of a grid of two to four points a side.
+pub fn finite_positions(count: usize) -> impl Strategy<Value = Vec<[f64; 3]>> {
+    (1..4u32).prop_flat_map(move |side| {
+        let number = (0..=side).prop_map(f64::from);
+        vec([number.clone(), number.clone(), number], count)
+    })
+}
+
+/// A shape of the catalogue.
+pub fn any_shape() -> impl Strategy<Value = Shape> {
+    let shapes = catalogue();
+    (0..shapes.len()).prop_map(move |i| shapes[i].clone())
+}
+
+/// A shape, up to four kinds of harm, and the mesh after all of them.
+pub fn damaged_shape() -> impl Strategy<Value = (Shape, Vec<Damage>, Soup)> {
+    (
+        any_shape(),
+        vec(any::<[prop::sample::Index; 3]>().prop_flat_map(|at| (Just(at), 0..8u8, unreal())), 0..=4),
+    )
+        .prop_map(|(shape, seeds)| {
+            let (mut harms, mut soup) = (Vec::new(), shape.soup.clone());
+            for (at, kind, value) in seeds {
+                let harm = harm_to(&soup, at, kind, value);
+                soup = harm.apply(&soup);
+                harms.push(harm);
+            }
+            (shape, harms, soup)
+        })
+}
+
+/// A permutation of the vertices of a mesh, for [`Soup::renamed`].
+pub fn names(vertex_count: usize) -> impl Strategy<Value = Vec<u32>> {
+    Just((0..vertex_count as u32).collect::<Vec<_>>()).prop_shuffle()
+}
+
+/// Every set of oriented triangles over `vertices` vertices: each triple absent, one way round, or the other.
+///
+/// Over four vertices there are 81, over five 59 049.
+pub fn oriented_triangle_sets(vertices: u32) -> impl Iterator<Item = Vec<Vec<u32>>> {
+    let triples = triples(vertices);
+    (0..3usize.pow(triples.len() as u32)).map(move |code| {
+        let mut digits = code;
+        let mut faces = Vec::new();
+        for &[a, b, c] in &triples {
+            match digits % 3 {
+                0 => {}
+                1 => faces.push(vec![a, b, c]),
+                _ => faces.push(vec![a, c, b]),
+            }
+            digits /= 3;
+        }
+        faces
+    })
+}
+
+/// Every set of triangles over `vertices` vertices, each ascending: 2²⁰ over six.
+pub fn triangle_sets(vertices: u32) -> impl Iterator<Item = Vec<Vec<u32>>> {
+    let triples = triples(vertices);
+    (0..1usize << triples.len()).map(move |code| {
+        let chosen = triples.iter().enumerate().filter(|(bit, _)| code >> bit & 1 == 1);
+        chosen.map(|(_, triple)| triple.to_vec()).collect()
+    })
+}
+
+fn triples(vertices: u32) -> Vec<[u32; 3]> {
+    let pairs = (0..vertices).flat_map(move |a| (a + 1..vertices).map(move |b| [a, b]));
+    pairs.flat_map(move |[a, b]| (b + 1..vertices).map(move |c| [a, b, c])).collect()
+}
+
+fn distinct_corners(
+    vertices: usize,
+    sizes: std::ops::RangeInclusive<usize>,
+) -> impl Strategy<Value = Vec<u32>> + Clone {
+    let (low, high) = ((*sizes.start()).min(vertices), (*sizes.end()).min(vertices));
+    subsequence((0..vertices as u32).collect::<Vec<_>>(), low..=high).prop_shuffle()
+}
+
+fn unreal() -> impl Strategy<Value = Unreal> + Clone {
+    prop_oneof![Just(Unreal::Nan), Just(Unreal::Infinity), Just(Unreal::MinusInfinity)]
+}
+
+/// A kind of harm at places chosen among those that the mesh has.
+fn harm_to(soup: &Soup, at: [prop::sample::Index; 3], kind: u8, value: Unreal) -> Damage {
+    let [face, second] = [0, 1].map(|i| at[i].index(soup.faces.len()));
+    let vertex = |i: usize| at[i].index(soup.vertex_count()) as u32;
+    match kind {
+        0 => Damage::Flip { faces: vec![face, second] },
+        1 => Damage::Duplicate { face, way: Way::Same },
+        2 => Damage::Duplicate { face, way: Way::Opposite },
+        3 => Damage::Pinch { kept: vertex(0), lost: vertex(1) },
+        4 if !soup.faces[face].is_empty() => {
+            Damage::Tear { face, corner: at[2].index(soup.faces[face].len()) }
+        }
+        5 => Damage::Crack { faces: (face.min(second)..=face.max(second)).collect() },
+        6 => Damage::WeldApart,
+        7 => Damage::NonFinite { vertex: vertex(0), value },
+        _ => Damage::Noise { count: 1 + at[2].index(3) },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn small_worlds_are_complete_and_without_repeats() {
+        assert_eq!(oriented_triangle_sets(4).collect::<BTreeSet<_>>().len(), 81);
+        assert_eq!(oriented_triangle_sets(5).count(), 59_049);
+        assert_eq!(triangle_sets(5).collect::<BTreeSet<_>>().len(), 1 << 10);
+        assert_eq!(triangle_sets(6).count(), 1 << 20);
+        assert_eq!(triangle_sets(6).last().map(|faces| faces.len()), Some(20));
+    }
+
+    proptest! {
+        #[test]
+        fn every_world_is_a_mesh(table in any_table(12), soup in triangle_soup(12), harmed in damaged_shape()) {
+            prop_assert_eq!(table.mesh().counts().faces, table.faces.len());
+            prop_assert!(soup.table().is_all_triangles());
+            prop_assert!(soup.positions.iter().flatten().all(|x| x.is_finite()));
+            prop_assert_eq!(harmed.2.mesh().counts().vertices, harmed.2.vertex_count());
+        }
+    }
+}

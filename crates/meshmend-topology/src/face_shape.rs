@@ -1,0 +1,87 @@
+//! Which faces touch themselves, and which list a corner for nothing?
+//!
+//! A face of the complex is *non-simple* when it is at one of its vertices twice or more (Bærentzen's multiple
+//! incidence, §2). It stays in the complex, as a disc whose rim spells its boundary word. A face has *repeated
+//! corners* when its stored form lists a vertex twice in a row, or its normal form walks to a vertex and straight
+//! back (a b a c).
+
+use meshmend_core::{Connectivity, FaceId, PolygonMesh, VertexId};
+
+/// The faces of a complex that come back to a vertex, each with the first vertex that recurs.
+///
+/// *Cost*: linear for small faces, n log n for one of n corners.
+pub fn non_simple_faces<K: Connectivity>(kernel: &K) -> Vec<(FaceId, VertexId)> {
+    let mut buffers = Buffers::default();
+    kernel.faces().filter_map(|face| Some((face, buffers.first_recurring(kernel, face)?))).collect()
+}
+
+/// The faces of a mesh's complex that list a vertex twice in a row as stored, or walk to a vertex and straight
+/// back; each with the first vertex that does so, repeats in a row coming before spikes.
+///
+/// *Cost*: linear in the corners.
+pub fn faces_with_repeated_corners(mesh: &PolygonMesh) -> Vec<(FaceId, VertexId)> {
+    let (stored, normal) = (mesh.faces(), mesh.complex().faces());
+    if normal.is_all_triangles() && mesh.complex().is_as_stored() {
+        return Vec::new();
+    }
+    let repeated = |face: FaceId| {
+        let (all, kept) = (stored.face_vertices(face), normal.face_vertices(face));
+        let in_a_row = (!kept.is_empty() && kept.len() < all.len())
+            .then(|| (0..all.len()).find(|&i| all[i] == all[(i + 1) % all.len()]).map(|i| all[i]));
+        let spike = || {
+            let n = kept.len();
+            (0..n).find(|&i| n > 3 && kept[i] == kept[(i + 2) % n]).map(|i| kept[i])
+        };
+        in_a_row.flatten().or_else(spike)
+    };
+    stored.faces().filter_map(|face| Some((face, repeated(face)?))).collect()
+}
+
+/// What is needed to look at one face after another.
+#[derive(Default)]
+struct Buffers {
+    vertices: Vec<VertexId>,
+    places: Vec<(VertexId, u32)>,
+}
+
+impl Buffers {
+    fn first_recurring<K: Connectivity>(&mut self, kernel: &K, face: FaceId) -> Option<VertexId> {
+        // In normal form a triangle has three different vertices.
+        kernel.face_corners(face).nth(3)?;
+        self.vertices.clear();
+        self.vertices.extend(kernel.face_vertices(face));
+        if self.vertices.len() <= 16 {
+            let mut places = 1..self.vertices.len();
+            return places
+                .find(|&i| self.vertices[..i].contains(&self.vertices[i]))
+                .map(|i| self.vertices[i]);
+        }
+        self.places.clear();
+        self.places.extend(self.vertices.iter().copied().zip(0..));
+        self.places.sort_unstable();
+        let recurring = self.places.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+        recurring.min_by_key(|pair| pair[1].1).map(|pair| pair[0].0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shapes::{kernel, mesh};
+
+    #[test]
+    fn the_first_vertex_that_recurs_is_named() {
+        let long: Vec<u32> = (0..20).chain([7, 3]).collect();
+        let found = non_simple_faces(&kernel(20, &[&[0, 1, 2], &[5, 1, 2, 1, 5, 3], &[0, 1, 2, 3], &long]));
+        assert_eq!(found, [(FaceId(1), VertexId(1)), (FaceId(3), VertexId(7))]);
+    }
+
+    #[test]
+    fn repeats_and_spikes_are_found_round_the_end_too() {
+        let faces: &[&[u32]] =
+            &[&[0, 1, 2], &[0, 1, 2, 0], &[0, 3, 1, 3], &[1, 1, 1], &[3, 1, 3, 0], &[2, 2, 0, 1, 0]];
+        let found = faces_with_repeated_corners(&mesh(4, faces));
+        let ids: Vec<_> = found.iter().map(|(face, vertex)| (face.0, vertex.0)).collect();
+        assert_eq!(ids, [(1, 0), (2, 3), (4, 3), (5, 2)]);
+    }
+}
