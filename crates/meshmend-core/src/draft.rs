@@ -183,7 +183,7 @@ impl PolygonMesh {
     fn draft_positions(&self, draft: &Draft) -> Vec<[f64; 3]> {
         let mut positions = match &draft.kept_positions {
             Some(kept) => kept.clone(),
-            None if draft.vertex_sources.is_same() => self.positions().to_vec(),
+            None if draft.vertex_sources.is_same() => self.positions()[..draft.vertex_sources.len()].to_vec(),
             None => draft.vertex_sources.iter().filter_map(|(_, old)| Some(self.position(old?))).collect(),
         };
         positions.extend(draft.created_vertices.iter().map(|v| v.position));
@@ -215,7 +215,7 @@ impl PolygonMesh {
     /// A layer as the draft's mesh has it.
     fn carried(&self, layer: &Layer, draft: &Draft) -> Layer {
         match layer.domain() {
-            Domain::Face if draft.face_sources.is_same() => layer.clone(),
+            Domain::Face if draft.face_sources.is_all_of(self.counts().faces) => layer.clone(),
             Domain::Face => {
                 let uses = draft
                     .face_sources
@@ -223,17 +223,15 @@ impl PolygonMesh {
                     .map(|(_, old)| old.map_or(NO_VALUE, |f| layer.element_use(f.index())));
                 layer.with_uses(Domain::Face, uses.collect())
             }
-            Domain::Vertex if self.keeps_vertices(draft) => layer.clone(),
+            Domain::Vertex if draft.vertex_sources.is_all_of(self.counts().vertices) => layer.clone(),
             Domain::Vertex => self.carried_vertex_layer(layer, draft),
-            Domain::Corner if draft.corner_sources.is_same() && layer.home() != Domain::Vertex => {
-                layer.clone()
-            }
+            Domain::Corner if self.keeps_corners(draft) && layer.home() != Domain::Vertex => layer.clone(),
             Domain::Corner => self.carried_corner_layer(layer, draft),
         }
     }
 
-    fn keeps_vertices(&self, draft: &Draft) -> bool {
-        draft.vertex_sources.is_same() && draft.vertex_sources.len() == self.counts().vertices
+    fn keeps_corners(&self, draft: &Draft) -> bool {
+        draft.corner_sources.is_all_of(self.counts().corners)
     }
 
     /// Stays on the vertices unless some corner's old vertex has another value than the vertex it is at now.

@@ -30,7 +30,9 @@ impl<I: Id> Sources<I> {
     pub fn listed(sources: impl IntoIterator<Item = Option<I>>) -> Self {
         let listed: Vec<u32> =
             sources.into_iter().map(|s| s.map_or(CREATED, |id| id.index() as u32)).collect();
-        Sources { count: listed.len(), listed: Some(listed), kind: std::marker::PhantomData }
+        let count = listed.len();
+        let is_same = listed.iter().zip(0..).all(|(&old, new)| old == new);
+        Sources { count, listed: (!is_same).then_some(listed), kind: std::marker::PhantomData }
     }
 
     /// How many new elements there are.
@@ -43,9 +45,14 @@ impl<I: Id> Sources<I> {
         self.count == 0
     }
 
-    /// Whether nothing was listed: each element is its own source.
+    /// Whether each new element is the old one of the same index. There may have been more old ones.
     pub fn is_same(&self) -> bool {
         self.listed.is_none()
+    }
+
+    /// Whether the new elements are the `old_count` old ones, in order.
+    pub fn is_all_of(&self, old_count: usize) -> bool {
+        self.is_same() && self.count == old_count
     }
 
     /// The old element that a new one is.
@@ -142,7 +149,10 @@ impl Provenance {
 
     /// Whether it records that nothing changed.
     pub fn is_same(&self) -> bool {
-        self.vertices.is_same() && self.faces.is_same() && self.corners.is_same() && self.flipped.is_empty()
+        self.vertices.is_all_of(self.before.vertices)
+            && self.faces.is_all_of(self.before.faces)
+            && self.corners.is_all_of(self.before.corners)
+            && self.flipped.is_empty()
     }
 
     /// The record of this change and a later one together.
@@ -150,13 +160,13 @@ impl Provenance {
     /// `stored` are the faces before this change, `result` those after the later one: the source of a vertex is
     /// the lowest stored vertex behind its corners.
     ///
-    /// *Cost*: linear in the elements; constant where one of the two changed nothing.
+    /// *Cost*: linear in the elements; constant where the later one changed nothing.
     pub fn then(&self, later: &Provenance, stored: &FaceTable, result: &FaceTable) -> Provenance {
-        if self.is_same() {
-            return later.clone();
-        }
         if later.is_same() {
             return self.clone();
+        }
+        if self.is_same() && later.vertices.is_same() {
+            return later.clone();
         }
         let corners = self.corners.then(&later.corners);
         let mut vertices: Vec<Option<VertexId>> =

@@ -66,6 +66,9 @@ impl Parts {
         let infinite = self.positions.iter().filter(|p| !p.iter().all(|x| x.is_finite())).count() as u64;
         let message = "vertices whose position is not finite";
         self.notes.add_many(NoteKind::NonFinite, message, infinite, || Place::File);
+        if count == 0 {
+            self.notes.add(NoteKind::Empty, "the file holds no vertex", || Place::File);
+        }
         let faces = self.faces.build(count).map_err(|error| table_error(source, &error))?;
         let failed = |error: MeshError| source.malformed(Place::File, error.to_string());
         let mesh = PolygonMesh::new(self.positions, faces).map_err(failed)?;

@@ -47,6 +47,8 @@ pub enum NoteKind {
     MissingEnd,
     /// A coordinate is not a finite number.
     NonFinite,
+    /// There is no vertex.
+    Empty,
 }
 
 impl fmt::Display for Note {

@@ -64,7 +64,7 @@ impl<'a> Sink<'a> {
 }
 
 /// Whole numbers below this are written digit by digit.
-const EXACT: f64 = 1e15;
+const EXACT: f64 = 1e16;
 
 #[inline]
 fn push_real(buffer: &mut Vec<u8>, value: f64) {
@@ -115,9 +115,9 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        let values = [0.0, -0.0, 1.0, -1.5, 0.1, 1e15, 1e-7, 1e308, f64::NAN, f64::NEG_INFINITY];
+        let values = [0.0, -0.0, 1.0, -1.5, 0.1, 1e15, 1e16, 1e-7, 1e308, f64::NAN, f64::NEG_INFINITY];
         let texts: Vec<String> = values.iter().map(|&v| text_of(v)).collect();
-        assert_eq!(texts, ["0", "-0", "1", "-1.5", "0.1", "1e15", "1e-7", "1e308", "nan", "-inf"]);
+        assert_eq!(texts, ["0", "-0", "1", "-1.5", "0.1", "1000000000000000", "1e+16", "1e-7", "1e+308", "nan", "-inf"]);
     }
 
     #[test]

@@ -267,8 +267,10 @@ mod tests {
     use std::sync::Arc;
 
     use meshmend_core::{FaceTableBuilder, Refusal};
+    use proptest::prelude::*;
 
     use super::*;
+    use crate::laws::damaged_grid;
 
     fn build(vertices: usize, faces: &[&[u32]]) -> Result<HalfEdge, Refusal> {
         let mut builder = FaceTableBuilder::default();
@@ -310,5 +312,22 @@ mod tests {
         let outer: Vec<_> = kernel.boundary_loop(CornerId(0)).map(|c| kernel.corner_vertex(c).0).collect();
         let inner: Vec<_> = kernel.boundary_loop(CornerId(2)).map(|c| kernel.corner_vertex(c).0).collect();
         assert_eq!((outer, inner), (vec![0, 2, 1], vec![4, 5, 3]));
+    }
+    proptest! {
+        #[test]
+        fn records_agree_with_one_another_along_the_boundary_too(faces in damaged_grid()) {
+            if let Ok(kernel) = HalfEdge::build(&Complex::of(&Arc::new(faces))) {
+                kernel.halves.iter().for_each(|(half, record)| assert_agrees(&kernel, half, record));
+            }
+        }
+    }
+
+    fn assert_agrees(kernel: &HalfEdge, half: Half, record: &Record) {
+        let (next, prev, twin) =
+            (kernel.halves[record.next], kernel.halves[record.prev], kernel.halves[record.twin]);
+        assert_eq!((next.prev, prev.next, twin.twin), (half, half, half));
+        assert_eq!((next.face, prev.face), (record.face, record.face));
+        assert_eq!((next.origin, twin.edge), (twin.origin, record.edge));
+        assert!(twin.origin != record.origin && twin.face != record.face);
     }
 }

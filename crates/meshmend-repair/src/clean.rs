@@ -49,7 +49,9 @@ impl Pass for Clean {
     }
     fn removes(&self) -> &'static [DefectKind] {
         match self.non_finite {
-            NonFinite::Keep => &[DefectKind::DegenerateFace, DefectKind::NonSimpleFace, DefectKind::RepeatedCorner],
+            NonFinite::Keep => {
+                &[DefectKind::DegenerateFace, DefectKind::NonSimpleFace, DefectKind::RepeatedCorner]
+            }
             _ => &[
                 DefectKind::DegenerateFace,
                 DefectKind::NonSimpleFace,

@@ -6,12 +6,10 @@
 //! 1. Loose edges and points go (policy: remove or keep, each).
 //! 2. Vertices that no face and no kept loose element uses go; the others keep their order.
 //!
-//! *Promises* no unreferenced vertex but those of kept loose elements. *Requires* and *may introduce* nothing.
-//! *Cost*: linear.
+//! *Promises* no unreferenced vertex but those of kept loose elements. *Requires* that degenerate
+//! faces are gone, as their vertices stay with them. *May introduce* nothing. *Cost*: linear.
 
-use meshmend_core::{
-    Defect, DefectKind, Draft, FaceTable, Id, Loose, PolygonMesh, Sources, VertexId,
-};
+use meshmend_core::{Defect, DefectKind, Draft, FaceTable, Id, Loose, PolygonMesh, Sources, VertexId};
 use serde::{Deserialize, Serialize};
 
 use crate::{Context, Outcome, Pass, PassError};
@@ -51,7 +49,8 @@ impl Pass for Compact {
         }
     }
     fn requires(&self) -> &'static [DefectKind] {
-        &[]
+        // The vertices of a degenerate face stay with it, though no face of the complex uses them.
+        &[DefectKind::DegenerateFace]
     }
     fn may_introduce(&self) -> &'static [DefectKind] {
         &[]

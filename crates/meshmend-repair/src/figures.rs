@@ -24,11 +24,13 @@ impl Figures {
         let components = components(&kernel);
         let faces = mesh.complex().proper_face_count() as i64;
         let classes = vertex_classes(&kernel);
-        let is_manifold = classes.values().iter().all(|class| {
-            class.is_manifold() || *class == meshmend_core::VertexClass::Unreferenced
-        });
+        let is_manifold = classes
+            .values()
+            .iter()
+            .all(|class| class.is_manifold() || *class == meshmend_core::VertexClass::Unreferenced);
         Figures {
-            euler_characteristic: components.referenced_vertices() as i64 - kernel.edge_count() as i64 + faces,
+            euler_characteristic: components.referenced_vertices() as i64 - kernel.edge_count() as i64
+                + faces,
             components: components.count() as u64,
             boundary_loops: is_manifold.then(|| boundary_loops(&kernel).count() as u64),
         }

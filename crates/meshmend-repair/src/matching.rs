@@ -67,7 +67,10 @@ impl Matching {
 
     /// Each matched pair once, by its lower corner.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = (CornerId, CornerId)> + '_ {
-        self.mate.iter().filter(|&(one, &other)| other != FREE && one < other).map(|(one, &other)| (one, other))
+        self.mate
+            .iter()
+            .filter(|&(one, &other)| other != FREE && one < other)
+            .map(|(one, &other)| (one, other))
     }
 }
 

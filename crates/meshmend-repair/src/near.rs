@@ -41,8 +41,12 @@ pub(crate) fn classes(
         return Err(PassError::Request { pass: "weld", reason });
     }
     let cube_of = |p: &[f64; 3]| p.map(|x| (x / side).floor() as i64);
-    let mut keyed: Vec<(Cube, u32)> =
-        points.par_iter().zip(0..points.len() as u32).filter(|(p, _)| finite(p)).map(|(p, v)| (cube_of(p), v)).collect();
+    let mut keyed: Vec<(Cube, u32)> = points
+        .par_iter()
+        .zip(0..points.len() as u32)
+        .filter(|(p, _)| finite(p))
+        .map(|(p, v)| (cube_of(p), v))
+        .collect();
     keyed.par_sort_unstable();
     let mut near = Near { points, epsilon, classes: UnionFind::new(points.len()) };
     let cubes: Vec<&[(Cube, u32)]> = keyed.chunk_by(|one, other| one.0 == other.0).collect();

@@ -17,7 +17,8 @@
 //! witness; or the policy cuts it or gives up.
 
 use meshmend_core::{
-    Column, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeUse, FaceId, FaceTableBuilder, Id, PolygonMesh, Sources,
+    Column, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeUse, FaceId, FaceTableBuilder, Id,
+    PolygonMesh, Sources,
 };
 use meshmend_kernels::KernelTask;
 use meshmend_topology::{OneSidedStrip, orientability, patches as patches_of};
@@ -222,7 +223,8 @@ impl Task<'_> {
             faces.next() != faces.next()
         });
         mended.extend(was_mended.map(|edge| Defect::InconsistentEdge { edge, ends: kernel.edge_ends(edge) }));
-        let is_changed = found.is_alive.values().contains(&false) || found.is_flipped.values().contains(&true);
+        let is_changed =
+            found.is_alive.values().contains(&false) || found.is_flipped.values().contains(&true);
         let mut outcome = if is_changed { self.rebuilt(&found)? } else { Outcome::unchanged(self.mesh) };
         mended.sort();
         outcome.mended = mended;
@@ -242,7 +244,11 @@ impl Task<'_> {
         let context = Context { history: history.as_ref(), ..*self.context };
         let found = one_sided_patches(&outcome.mesh, &context)?;
         if self.options.non_orientable == NonOrientable::Fail {
-            return Err(PassError::Policy { pass: "orient", kind: DefectKind::NonOrientablePatch, defects: found });
+            return Err(PassError::Policy {
+                pass: "orient",
+                kind: DefectKind::NonOrientablePatch,
+                defects: found,
+            });
         }
         outcome.left.extend(found);
         Ok(())
@@ -283,7 +289,12 @@ impl Task<'_> {
         let faces = builder.build(old.vertex_count())?;
         let draft = Draft {
             flipped,
-            ..Draft::of_faces(self.mesh, faces, Sources::listed(face_sources), Sources::listed(corner_sources))
+            ..Draft::of_faces(
+                self.mesh,
+                faces,
+                Sources::listed(face_sources),
+                Sources::listed(corner_sources),
+            )
         };
         Ok(Outcome::changed(self.mesh.rebuild(draft)?, Vec::new()))
     }

@@ -3,7 +3,8 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use meshmend_core::{
-    Complex, CornerId, Defect, DefectKind, DraftError, FaceTableError, Id, PolygonMesh, Provenance, Refusal, VertexId,
+    Complex, CornerId, Defect, DefectKind, DraftError, FaceTableError, Id, PolygonMesh, Provenance, Refusal,
+    VertexId,
 };
 use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;

@@ -203,7 +203,13 @@ impl Run {
         self.mesh = outcome.mesh;
         self.report = outcome.report.or(self.report.take());
         let figures = before.zip(self.figures).map(|(before, after)| [before, after]);
-        self.passes.push(PassRecord { pass, is_changed, mended: outcome.mended, left: outcome.left, figures });
+        self.passes.push(PassRecord {
+            pass,
+            is_changed,
+            mended: outcome.mended,
+            left: outcome.left,
+            figures,
+        });
     }
 
     /// Finds, for each face of which this pass left nothing, the defect that names it.

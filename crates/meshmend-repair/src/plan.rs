@@ -29,9 +29,7 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::{
-    AnyPass, Clean, Compact, Orient, PassKind, Pipeline, Recompute, Split, Triangulate, Weld,
-};
+use crate::{AnyPass, Clean, Compact, Orient, PassKind, Pipeline, Recompute, Split, Triangulate, Weld};
 
 /// The passes of a pipeline with their options, as a file says them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -27,9 +27,9 @@ pub(crate) fn triangulate_polygon(
     if points.len() <= LARGEST_EXACT {
         return best_of_all(points, is_taken);
     }
-    [by_ears(points), by_halves(points.len())]
-        .into_iter()
-        .find(|triangles| is_triangulation(points.len(), triangles) && !takes_a_taken_one(points.len(), triangles, is_taken))
+    [by_ears(points), by_halves(points.len())].into_iter().find(|triangles| {
+        is_triangulation(points.len(), triangles) && !takes_a_taken_one(points.len(), triangles, is_taken)
+    })
 }
 
 /// Whether two places of a polygon are neighbours.
@@ -201,7 +201,8 @@ mod tests {
             // A star: every other corner is far out.
             let points: Vec<Point> = (0..count)
                 .map(|i| {
-                    let (turn, far) = (i as f64 * std::f64::consts::TAU / count as f64, if i % 2 == 0 { 2.0 } else { 1.0 });
+                    let (turn, far) =
+                        (i as f64 * std::f64::consts::TAU / count as f64, if i % 2 == 0 { 2.0 } else { 1.0 });
                     [far * turn.cos(), far * turn.sin(), 0.0]
                 })
                 .collect();
@@ -209,7 +210,10 @@ mod tests {
             triangles.iter_mut().for_each(|t| t.sort_unstable());
             assert!(is_triangulation(count, &triangles), "{count}");
             let total = area_vector(&points)[2];
-            let sum: f64 = triangles.iter().map(|&[a, b, c]| cross(minus(points[b], points[a]), minus(points[c], points[a]))[2].abs()).sum();
+            let sum: f64 = triangles
+                .iter()
+                .map(|&[a, b, c]| cross(minus(points[b], points[a]), minus(points[c], points[a]))[2].abs())
+                .sum();
             assert!((sum - total).abs() < 1e-9 * total, "{count}: {sum} of {total}");
         }
     }

@@ -166,7 +166,8 @@ impl Task<'_> {
             return Ok(Outcome { left, ..Outcome::unchanged(self.mesh) });
         }
         let mut mended = self.mended(kernel, &names);
-        let coincident = inserted.edges.iter().map(|&e| Defect::CoincidentEdges { ends: kernel.edge_ends(e) });
+        let coincident =
+            inserted.edges.iter().map(|&e| Defect::CoincidentEdges { ends: kernel.edge_ends(e) });
         mended.extend(coincident.chain(seam));
         mended.sort();
         let outcome = Outcome::changed(self.mesh.rebuild(self.draft(names, inserted)?)?, mended);
@@ -234,7 +235,8 @@ impl Task<'_> {
                 corner_sources.push(Some(corner));
                 if let Some((vertex, blend)) = at_corner[corner.index()] {
                     builder.push_corner(vertex);
-                    created_corners.push((CornerId::new(corner_sources.len()), self.in_stored_corners(blend)));
+                    created_corners
+                        .push((CornerId::new(corner_sources.len()), self.in_stored_corners(blend)));
                     corner_sources.push(None);
                 }
             }

@@ -15,8 +15,8 @@
 use std::collections::BTreeSet;
 
 use meshmend_core::{
-    Blend, CornerId, Defect, DefectKind, Draft, EdgeTable, FaceId, FaceTableBuilder, Id, PolygonMesh, Sources,
-    VertexDraft, VertexId, distinct_count,
+    Blend, CornerId, Defect, DefectKind, Draft, EdgeTable, FaceId, FaceTableBuilder, Id, PolygonMesh,
+    Sources, VertexDraft, VertexId, distinct_count,
 };
 use serde::{Deserialize, Serialize};
 

@@ -18,7 +18,12 @@ impl SignedVolume {
     }
 
     /// Adds a face, as a fan from its first corner.
-    pub(crate) fn add_face(&mut self, mesh: &PolygonMesh, corners: impl Iterator<Item = CornerId>, is_flipped: bool) {
+    pub(crate) fn add_face(
+        &mut self,
+        mesh: &PolygonMesh,
+        corners: impl Iterator<Item = CornerId>,
+        is_flipped: bool,
+    ) {
         let faces = mesh.complex().faces();
         let mut points = corners.map(|c| mesh.position(faces.corner_vertex(c)));
         let Some(first) = points.next() else { return };

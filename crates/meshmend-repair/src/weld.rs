@@ -15,9 +15,7 @@
 //! non-manifold, so that there welding is stitching and can't make a mesh worse. *Cost*: O(n log n) exact; see the
 //! grid for tolerance.
 
-use meshmend_core::{
-    Defect, DefectKind, Draft, FaceTable, Id, PolygonMesh, Sources, VertexId,
-};
+use meshmend_core::{Defect, DefectKind, Draft, FaceTable, Id, PolygonMesh, Sources, VertexId};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -91,7 +89,8 @@ pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
             let [x, y, z] = positions[v].map(|x| u128::from((x as f32 + 0.0).to_bits()));
             x << 96 | y << 64 | z << 32 | v as u128
         };
-        let mut keys: Vec<u128> = (0..positions.len()).into_par_iter().filter(|&v| finite(v)).map(key).collect();
+        let mut keys: Vec<u128> =
+            (0..positions.len()).into_par_iter().filter(|&v| finite(v)).map(key).collect();
         keys.par_sort_unstable();
         for run in keys.chunk_by(|one, other| one >> 32 == other >> 32) {
             run.iter().for_each(|&key| lowest[key as u32 as usize] = VertexId(run[0] as u32));
@@ -144,12 +143,7 @@ fn join_to(mesh: &PolygonMesh, lowest: &[VertexId]) -> Result<Outcome, PassError
     let draft = Draft {
         vertex_sources: Sources::listed(sources),
         merged_into: Some(new_id),
-        ..Draft::of_faces(
-            mesh,
-            faces?,
-            Sources::same(old.face_count()),
-            Sources::same(old.corner_count()),
-        )
+        ..Draft::of_faces(mesh, faces?, Sources::same(old.face_count()), Sources::same(old.corner_count()))
     };
     Ok(Outcome::changed(mesh.rebuild(draft)?, mended))
 }

@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 use meshmend_core::{FaceTableBuilder, PolygonMesh, VertexId};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{Pipeline, Plan, PassKind, Repaired, SplitEdges};
+use meshmend_repair::{PassKind, Pipeline, Plan, Repaired, SplitEdges};
 use serde_json::Value;
 
 fn case_lines() -> Option<Box<dyn Iterator<Item = String>>> {
@@ -24,8 +24,7 @@ fn case_lines() -> Option<Box<dyn Iterator<Item = String>>> {
     }
     let count = std::env::var("MESHMEND_REFERENCE_CASES").unwrap_or_else(|_| "1500".into());
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference_cases.py");
-    let Ok(child) =
-        Command::new("python3").args([script, root, "0", &count]).stdout(Stdio::piped()).spawn()
+    let Ok(child) = Command::new("python3").args([script, root, "0", &count]).stdout(Stdio::piped()).spawn()
     else {
         println!("skipped: there is no python3");
         return None;
@@ -54,10 +53,17 @@ fn words_of(repaired: &Repaired) -> Value {
         faces.faces().map(|f| rotated(faces.face_vertices(f).iter().map(|v| v.0).collect())).collect();
     let mut flipped = vec![false; list.len()];
     repaired.provenance.flipped.iter().for_each(|f| flipped[f.0 as usize] = true);
-    let twisted: Vec<u32> = repaired.report.as_ref().unwrap().defects.iter().filter_map(|d| match d {
-        meshmend_core::Defect::NonOrientablePatch { faces, .. } => faces.iter().map(|f| f.0).min(),
-        _ => None,
-    }).collect();
+    let twisted: Vec<u32> = repaired
+        .report
+        .as_ref()
+        .unwrap()
+        .defects
+        .iter()
+        .filter_map(|d| match d {
+            meshmend_core::Defect::NonOrientablePatch { faces, .. } => faces.iter().map(|f| f.0).min(),
+            _ => None,
+        })
+        .collect();
     serde_json::json!({
         "faces": list,
         "source_vertex": repaired.provenance.vertices,

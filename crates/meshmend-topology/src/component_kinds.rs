@@ -12,11 +12,11 @@ use crate::{BoundaryLoops, ComponentId, Components, Patches, Surface, surface_na
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ComponentFacts {
     /// How many vertices.
-    pub vertices: u64,
+    pub vertices: u32,
     /// How many edges.
-    pub edges: u64,
+    pub edges: u32,
     /// How many faces.
-    pub faces: u64,
+    pub faces: u32,
     /// Whether every patch is orientable.
     pub is_orientable: bool,
     /// Whether no edge has one side.
@@ -24,21 +24,21 @@ pub struct ComponentFacts {
     /// Whether every edge has one side or two and every vertex is disc or half-disc.
     pub is_manifold: bool,
     /// How many boundary loops touch it.
-    pub loops: u64,
+    pub loops: u32,
 }
 
 impl ComponentFacts {
     /// V − E + F.
     pub fn euler_characteristic(&self) -> i64 {
-        self.vertices as i64 - self.edges as i64 + self.faces as i64
+        i64::from(self.vertices) - i64::from(self.edges) + i64::from(self.faces)
     }
 
     /// The surface that the component is; nothing where it is not manifold.
     pub fn surface(&self) -> Option<Surface> {
         match (self.is_manifold, self.is_orientable) {
             (false, _) => None,
-            (true, true) => Surface::orientable(self.euler_characteristic(), self.loops),
-            (true, false) => Surface::non_orientable(self.euler_characteristic(), self.loops),
+            (true, true) => Surface::orientable(self.euler_characteristic(), self.loops.into()),
+            (true, false) => Surface::non_orientable(self.euler_characteristic(), self.loops.into()),
         }
     }
 }
@@ -113,7 +113,7 @@ pub fn component_facts<K: Connectivity>(
         let faces = patches.faces(patch);
         let vertex = faces.first().and_then(|&face| kernel.face_vertices(face).next());
         let Some(component) = vertex.and_then(|v| components.of_vertex(v)) else { continue };
-        facts[component].faces += faces.len() as u64;
+        facts[component].faces += faces.len() as u32;
         facts[component].is_orientable &= patches.is_orientable(patch);
     }
     for path in loops.iter() {
@@ -131,17 +131,16 @@ pub fn component_kinds(
     components: &Components,
     facts: &Column<ComponentId, ComponentFacts>,
 ) -> Vec<ComponentKind> {
-    let comparable = |facts: &ComponentFacts| ComponentFacts {
-        // Loops that touch a component which is no surface are no figure of its row.
-        loops: if facts.is_manifold { facts.loops } else { 0 },
-        ..*facts
+    // Loops that touch a component which is no surface are no figure of its row.
+    let row = |component: ComponentId| {
+        let facts = facts[component];
+        ComponentFacts { loops: if facts.is_manifold { facts.loops } else { 0 }, ..facts }
     };
-    let mut sorted: Vec<_> = facts.iter().map(|(component, facts)| (comparable(facts), component)).collect();
-    sorted.sort_unstable();
-    let alike = sorted.chunk_by(|one, other| one.0 == other.0);
-    let kind = |run: &[(ComponentFacts, ComponentId)]| {
-        let (facts, first) = run[0];
-        ComponentKind::of(facts, run.len() as u64, components.lowest_vertex(first))
+    let mut sorted: Vec<ComponentId> = components.ids().collect();
+    sorted.sort_unstable_by_key(|&component| (row(component), component));
+    let alike = sorted.chunk_by(|&one, &other| row(one) == row(other));
+    let kind = |run: &[ComponentId]| {
+        ComponentKind::of(row(run[0]), run.len() as u64, components.lowest_vertex(run[0]))
     };
     let mut kinds: Vec<ComponentKind> = alike.map(kind).collect();
     kinds.sort_unstable_by_key(|kind| kind.first_vertex);
@@ -154,9 +153,9 @@ impl ComponentKind {
         ComponentKind {
             count,
             name: surface.map(surface_name),
-            vertices: facts.vertices,
-            edges: facts.edges,
-            faces: facts.faces,
+            vertices: facts.vertices.into(),
+            edges: facts.edges.into(),
+            faces: facts.faces.into(),
             euler_characteristic: facts.euler_characteristic(),
             boundary_loops: surface.map(Surface::holes),
             orientable: facts.is_orientable,

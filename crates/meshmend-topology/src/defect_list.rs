@@ -69,6 +69,8 @@ impl DefectList {
             loose_edges: mesh.loose_edges().to_vec(),
             loose_points: mesh.loose_points().to_vec(),
             one_sided: orientability.one_sided,
+            // There can be as many as corners, so room for them is made once.
+            boundary_edges: Vec::with_capacity(edges_of_degree_one(kernel)),
             ..DefectList::default()
         };
         kernel.edges().for_each(|edge| list.look_at_edge(kernel, edge));
@@ -190,6 +192,10 @@ impl DefectList {
             | DefectKind::CoincidentVertex => return None,
         })
     }
+}
+
+fn edges_of_degree_one<K: Connectivity>(kernel: &K) -> usize {
+    kernel.edges().filter(|&edge| edge_class(kernel, edge) == EdgeClass::Boundary).count()
 }
 
 #[cfg(test)]

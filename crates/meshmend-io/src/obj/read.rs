@@ -314,6 +314,7 @@ impl<'a> Reader<'a> {
                 Ok(index)
             }
             None if raw == 0 => Err(self.wrong(start, "vertex index 0: the first vertex is 1")),
+            None if raw.saturating_abs() == i64::MAX => Err(self.wrong(start, "a vertex index beyond 64 bits")),
             None => Err(self.wrong(start, &no_such_vertex(raw, count))),
         }
     }
@@ -452,7 +453,7 @@ impl<'a> Reader<'a> {
 
     fn finish(mut self) -> Result<Parsed, ReadError> {
         if !self.is_obj {
-            return Err(self.source.malformed(Place::File, "no statement of an OBJ file"));
+            return Err(self.source.malformed(Place::Line(1), "no statement of an OBJ file"));
         }
         self.vertex_layers();
         self.corner_layers();

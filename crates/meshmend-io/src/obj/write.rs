@@ -27,6 +27,11 @@ pub(super) fn encode(mesh: &PolygonMesh, _: Encoding, out: &mut dyn io::Write) -
         sink.byte(b'\n');
         sink.checkpoint()?;
     }
+    let is_written = |key: &str| STATEMENTS.iter().any(|(known, _)| *known == key);
+    if mesh.positions().is_empty() && !mesh.metadata().iter().any(|statement| is_written(&statement.key)) {
+        // A file without a byte could be one that something went wrong with.
+        sink.bytes(b"# no vertices\n");
+    }
     plan.vertices(mesh, &mut sink)?;
     pool(plan.texcoord, b"vt", &mut sink)?;
     pool(plan.normal, b"vn", &mut sink)?;

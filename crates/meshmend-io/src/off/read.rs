@@ -82,11 +82,9 @@ impl<'a> Reader<'a> {
     /// The numbers of vertices and faces, on the header's line or the next; that of edges may be missing.
     fn counts(&mut self) -> Result<[usize; 2], ReadError> {
         if self.line_ended() {
-            self.next_line("the counts")?;
+            self.next_line("a line of counts")?;
         }
         let (vertices, faces) = (self.count("vertices")?, self.count("faces")?);
-        self.source.limited("vertices", vertices, self.limits.max_vertices)?;
-        self.source.limited("faces", faces, self.limits.max_faces)?;
         let at = self.at;
         self.end_line();
         // The shortest vertex takes six bytes, the shortest face two; the last one needs no line end.
@@ -95,6 +93,8 @@ impl<'a> Reader<'a> {
             let reason = format!("{vertices} vertices and {faces} faces are announced, {left} bytes are left");
             return Err(self.wrong(at, &reason));
         }
+        self.source.limited("vertices", vertices, self.limits.max_vertices)?;
+        self.source.limited("faces", faces, self.limits.max_faces)?;
         Ok([vertices as usize, faces as usize])
     }
 

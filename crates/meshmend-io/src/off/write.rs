@@ -128,7 +128,7 @@ fn color(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
             values => spaced(sink, number(values, at)),
         }
         let is_whole = has_fractions(layer) && number(layer.values(), at).fract() == 0.0;
-        if is_whole && number(layer.values(), at).abs() < 1e15 {
+        if is_whole && number(layer.values(), at).abs() < 1e16 {
             sink.bytes(b".0");
         }
     }

@@ -143,7 +143,7 @@ impl HeaderReader<'_> {
                 return Err(self.wrong(element.at, reason));
             }
         }
-        let missing = || self.source.malformed(Place::File, "the header does not say the format");
+        let missing = || self.source.malformed(Place::Byte(end as u64), "the header does not say the format");
         let form = self.form.ok_or_else(missing)?;
         Ok(Header { form, elements: self.elements, end })
     }

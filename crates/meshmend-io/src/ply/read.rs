@@ -268,10 +268,9 @@ impl<'a> Reader<'a> {
     }
 
     fn finish(mut self, header: &Header) -> Result<Parsed, ReadError> {
-        let Some(vertices) = self.vertices.take() else {
-            return Err(self.source.malformed(Place::File, "no element `vertex`"));
-        };
-        vertex_layers(vertices, &mut self.parts);
+        if let Some(vertices) = self.vertices.take() {
+            vertex_layers(vertices, &mut self.parts);
+        }
         if let Some(faces) = self.faces.take() {
             face_layers(faces, &mut self.parts);
         }

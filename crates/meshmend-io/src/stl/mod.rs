@@ -12,8 +12,8 @@
 //! are the face layer `attribute` if one of them is not 0.
 //!
 //! **Text.** Words in any case, parted by any blanks and line ends. A facet with more than three vertices is a
-//! polygon; with fewer it is an error. The name of a single solid is metadata `solid`; those of several are the
-//! face layer `object`. A missing `endsolid` after a whole facet is noted.
+//! polygon; with fewer it is an error. The name of a single solid is metadata `solid`; different ones of
+//! several solids are the face layer `object`. A missing `endsolid` after a whole facet is noted.
 
 mod binary;
 mod plain;
@@ -49,7 +49,7 @@ fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     if !is_text {
         return match claimed {
             Some(_) => binary::read(source, limits),
-            None if source.bytes.is_empty() => Err(source.malformed(Place::File, "the file is empty")),
+            None if source.bytes.is_empty() => Err(source.malformed(Place::Byte(0), "the file is empty")),
             None => Err(source.malformed(Place::Byte(length), "neither text nor as long as a binary header")),
         };
     }

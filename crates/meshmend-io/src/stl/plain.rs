@@ -8,7 +8,7 @@ use crate::assemble::Parts;
 use crate::read::{Parsed, Source};
 use crate::stl::SOLID;
 use crate::text::{self, is_space};
-use crate::{Limits, NoteKind, ReadError};
+use crate::{Limits, NoteKind, Place, ReadError};
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let at = if source.bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
@@ -165,20 +165,31 @@ impl<'a> Reader<'a> {
     }
 
     fn finish(mut self) -> Result<Parsed, ReadError> {
-        match self.solids[..] {
-            [] => return Err(self.wrong(self.at, "no solid")),
-            [(_, name)] if !name.is_empty() => {
-                self.parts.metadata.push(Metadata { key: SOLID.to_owned(), value: name.to_vec() });
-            }
-            [_] => {}
-            _ => {
-                let layer = objects(&self.solids, self.parts.faces.face_count());
-                self.parts.layers.push(layer);
-            }
+        let Some(&(_, first_name)) = self.solids.first() else {
+            return Err(self.wrong(self.at, "no solid"));
+        };
+        let faces = self.parts.faces.face_count();
+        self.drop_empty_solids(faces);
+        let name = self.solids.first().map_or(first_name, |&(_, name)| name);
+        if self.solids.iter().any(|&(_, other)| other != name) {
+            self.parts.layers.push(objects(&self.solids, faces));
+        } else if !name.is_empty() {
+            self.parts.metadata.push(Metadata { key: SOLID.to_owned(), value: name.to_vec() });
         }
         let source = self.source;
         let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
         Ok(Parsed { mesh, variant: "stl-ascii", notes })
+    }
+
+    /// Forgets solids without a facet; one that is alone is the file's own.
+    fn drop_empty_solids(&mut self, faces: usize) {
+        let count = self.solids.len();
+        let ends: Vec<usize> = self.solids.iter().skip(1).map(|&(first, _)| first).chain([faces]).collect();
+        let mut ends = ends.iter();
+        self.solids.retain(|(first, _)| ends.next().is_some_and(|end| end > first));
+        let dropped = if count > 1 { count - self.solids.len() } else { 0 };
+        let message = "a solid without a facet was skipped";
+        self.parts.notes.add_many(NoteKind::UnusedName, message, dropped as u64, || Place::File);
     }
 }
 

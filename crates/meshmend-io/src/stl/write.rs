@@ -52,9 +52,9 @@ fn facet(normal: [f32; 3], points: [[f32; 3]; 3], attribute: u16) -> [u8; 50] {
     bytes
 }
 
-/// The stored header, or one of our own. None begins with `solid`, as a reader may take that for text.
+/// The stored header, or an empty one. None begins with `solid`, as a reader may take that for text.
 fn header(mesh: &PolygonMesh) -> [u8; HEAD - 4] {
-    let stored = mesh.metadata().iter().find(|m| m.key == HEADER).map_or(&b"binary STL"[..], |m| &m.value);
+    let stored = mesh.metadata().iter().find(|m| m.key == HEADER).map_or(&[][..], |m| &m.value);
     let prefix: &[u8] = if is_misleading(stored) { b"binary " } else { b"" };
     let mut header = [0; HEAD - 4];
     for (slot, byte) in header.iter_mut().zip(prefix.iter().chain(stored)) {
@@ -146,16 +146,14 @@ fn single(mesh: &PolygonMesh, vertex: VertexId) -> [f32; 3] {
     mesh.position(vertex).map(|x| x as f32)
 }
 
-/// The unit normal of a triangle; zero where it has none.
+/// The unit normal of a triangle; zero where it has none. The products of differences of single-precision
+/// numbers neither overflow nor vanish in a double.
 fn normal(points: [[f32; 3]; 3]) -> [f32; 3] {
     let [a, b, c] = points.map(|point| point.map(f64::from));
     let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
-    // Scaled first, so that neither tiny nor huge triangles leave the range of a double.
-    let size = u.iter().chain(&v).fold(0.0_f64, |most, x| most.max(x.abs()));
-    let (u, v) = (u.map(|x| x / size), v.map(|x| x / size));
     let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = cross.iter().map(|x| x * x).sum::<f64>().sqrt();
-    if length > 0.0 && length.is_finite() { cross.map(|x| (x / length) as f32) } else { [0.0; 3] }
+    let scale = 1.0 / cross.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if scale.is_finite() { cross.map(|x| (x * scale) as f32) } else { [0.0; 3] }
 }
 
 fn attribute_layer(mesh: &PolygonMesh) -> Option<(&Layer, &[u16])> {

@@ -160,7 +160,7 @@ impl<T> Subdivision<T> {
     fn write_onext(&mut self, dart: Dart, next: Dart) {
         let (at, stored) = match dart.flipped() {
             0 => (dart.quarter(), next),
-            _ => ((dart.quarter() + 3) & 3, next.flip().rot_inverse()),
+            _ => ((dart.quarter() + 1) & 3, next.flip().rot_inverse()),
         };
         let quad = &mut self.quads[dart.quad];
         quad.next[at] = stored.quad;

@@ -142,7 +142,8 @@ impl<'a, K: Connectivity> Patches<'a, K> {
     fn gather(&mut self, root: FaceId, contradicts: bool, matched_uses: u32) {
         let pieces = ring(&self.next_piece, root);
         let known: Vec<Patch> = pieces.iter().map(|&p| self.patch[p]).collect();
-        let largest = known.iter().max_by_key(|p| (p.size, Reverse(p.label))).copied().unwrap_or(self.patch[root]);
+        let largest =
+            known.iter().max_by_key(|p| (p.size, Reverse(p.label))).copied().unwrap_or(self.patch[root]);
         let size = known.iter().map(|p| p.size).sum();
         let free: u32 = known.iter().map(|p| p.free_uses).sum();
         let cuts = self.contradiction == Contradiction::Cuts;

@@ -40,7 +40,11 @@ pub(crate) struct LiveUses {
 }
 
 impl LiveUses {
-    pub(crate) fn new<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, is_alive: &Column<FaceId, bool>) -> Self {
+    pub(crate) fn new<K: Connectivity>(
+        kernel: &K,
+        names: &StoredNames<'_>,
+        is_alive: &Column<FaceId, bool>,
+    ) -> Self {
         let mut live = LiveUses {
             edge_alive: Column::filled(0, kernel.edge_count()),
             group_of: Column::filled(NO_GROUP, kernel.corner_count()),
@@ -63,7 +67,8 @@ impl LiveUses {
                 continue;
             }
             for group in uses.chunk_by(|one, other| one.stored == other.stored) {
-                let (id, count) = (live.group_alive.len() as u32, group.iter().filter(|u| alive(u.corner)).count());
+                let (id, count) =
+                    (live.group_alive.len() as u32, group.iter().filter(|u| alive(u.corner)).count());
                 group.iter().for_each(|u| live.group_of[u.corner] = id);
                 live.group_uses.extend(group.iter().map(|u| u.corner));
                 live.group_starts.push(live.group_uses.len() as u32);
@@ -96,7 +101,11 @@ impl LiveUses {
     }
 
     /// Matches what has become unambiguous since the last call: by rule 1, then by rule 2, each by edge.
-    pub(crate) fn new_pairs<K: Connectivity>(&mut self, kernel: &K, is_alive: &Column<FaceId, bool>) -> Vec<Pair> {
+    pub(crate) fn new_pairs<K: Connectivity>(
+        &mut self,
+        kernel: &K,
+        is_alive: &Column<FaceId, bool>,
+    ) -> Vec<Pair> {
         let mut pairs = Vec::new();
         let alive = |corner: &CornerId| is_alive[kernel.corner_face(*corner)];
         let mut groups = std::mem::take(&mut self.groups_with_two);
@@ -110,7 +119,9 @@ impl LiveUses {
         edges.sort_unstable();
         for edge in edges {
             let both = the_two(kernel.edge_corners(edge).filter(alive));
-            if let Some((one, other)) = both.filter(|&(a, b)| self.matching.is_free(a) && self.matching.is_free(b)) {
+            if let Some((one, other)) =
+                both.filter(|&(a, b)| self.matching.is_free(a) && self.matching.is_free(b))
+            {
                 self.matching.pair(one, other);
                 pairs.push((one, other));
             }

@@ -3,8 +3,8 @@
 use meshmend_core::{Column, Connectivity, CornerId, Id, VertexId};
 use petgraph::unionfind::UnionFind;
 
-use crate::matching::{Matching, run_the_same_way};
 use crate::StoredNames;
+use crate::matching::{Matching, run_the_same_way};
 
 /// The classes of corners, named and in order.
 pub(super) struct NewVertices {
@@ -43,7 +43,11 @@ impl NewVertices {
     /// the complex keep their places.
     ///
     /// *Cost*: linear.
-    pub(super) fn name<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, mut classes: UnionFind<u32>) -> Self {
+    pub(super) fn name<K: Connectivity>(
+        kernel: &K,
+        names: &StoredNames<'_>,
+        mut classes: UnionFind<u32>,
+    ) -> Self {
         let mut lowest_name = vec![VertexId(NONE); kernel.corner_count()];
         let mut lowest_corners = Vec::new();
         for corner in kernel.corners() {
@@ -58,7 +62,9 @@ impl NewVertices {
         let mut further = Vec::new();
         let unreferenced = kernel.vertices().filter(|&v| !kernel.is_referenced(v));
         let classes_first = lowest_corners.iter().map(|&c| (name_of(c), Holder::Class(c)));
-        for (name, holder) in classes_first.chain(unreferenced.map(|v| (names.of_vertex(v), Holder::Alone(v)))) {
+        for (name, holder) in
+            classes_first.chain(unreferenced.map(|v| (names.of_vertex(v), Holder::Alone(v))))
+        {
             match &mut holders[name.index()] {
                 free @ Holder::Nothing => *free = holder,
                 _ => further.push((name, holder)),

@@ -43,7 +43,11 @@ pub(super) fn radial_order<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, edge
     let Some(zero) = planes.first().map(|(_, point)| *point) else { return order };
     let mut keyed: Vec<Plane> = planes
         .into_iter()
-        .map(|(use_of, through)| Plane { is_second_half: axis.is_second_half(zero, through), through, use_of })
+        .map(|(use_of, through)| Plane {
+            is_second_half: axis.is_second_half(zero, through),
+            through,
+            use_of,
+        })
         .collect();
     merge_sort(&mut keyed, |one, other| {
         axis.turn(one, other).then_with(|| {
@@ -131,7 +135,8 @@ struct Axis {
 
 impl Axis {
     fn new(low: Point, high: Point, points: impl Iterator<Item = Point>) -> Self {
-        let largest = points.chain([low, high]).flatten().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()));
+        let largest =
+            points.chain([low, high]).flatten().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()));
         let exponent = if largest > 0.0 { largest.log2().floor() } else { 0.0 };
         let scale = if exponent.abs() > 250.0 { (-exponent).clamp(-1000.0, 1000.0).exp2() } else { 1.0 };
         let axis = Axis { low, high, scale };
@@ -145,7 +150,8 @@ impl Axis {
     /// Whether a point, not scaled yet, is on the line, or the line is none.
     fn holds(&self, point: Point) -> bool {
         let point = self.scaled(point);
-        !(is_finite(&self.low) && is_finite(&self.high)) || (0..3).all(|drop| self.side_in_plane(point, drop) == 0)
+        !(is_finite(&self.low) && is_finite(&self.high))
+            || (0..3).all(|drop| self.side_in_plane(point, drop) == 0)
     }
 
     /// The side of the line on which a point is when one coordinate is dropped.
@@ -173,7 +179,9 @@ impl Axis {
     }
 
     fn turn(&self, one: &Plane, other: &Plane) -> Ordering {
-        one.is_second_half.cmp(&other.is_second_half).then_with(|| 0.cmp(&self.sine(one.through, other.through)))
+        one.is_second_half
+            .cmp(&other.is_second_half)
+            .then_with(|| 0.cmp(&self.sine(one.through, other.through)))
     }
 }
 
@@ -243,13 +251,15 @@ mod tests {
     #[test]
     fn huge_and_tiny_coordinates_are_ordered_too() {
         for size in [1e300, 1e-300] {
-            let tips = [[1.0, 0.0, 0.0], [-1.0, -1.0, 0.0], [0.0, 1.0, 0.0]].map(|p: Point| p.map(|x| x * size));
+            let tips =
+                [[1.0, 0.0, 0.0], [-1.0, -1.0, 0.0], [0.0, 1.0, 0.0]].map(|p: Point| p.map(|x| x * size));
             let mut positions = vec![[0.0; 3], [0.0, 0.0, size]];
             positions.extend(tips);
             let corners = [0, 1, 2, 0, 1, 3, 0, 1, 4].map(VertexId).to_vec();
             let mesh = PolygonMesh::new(positions, FaceTable::triangles(5, corners).unwrap()).unwrap();
             let kernel = EdgeUse::assemble(mesh.complex());
-            let order: Vec<u32> = radial_order(&kernel, &mesh, EdgeId(0)).iter().map(|u| u.corner.0 / 3).collect();
+            let order: Vec<u32> =
+                radial_order(&kernel, &mesh, EdgeId(0)).iter().map(|u| u.corner.0 / 3).collect();
             assert_eq!(order, [0, 2, 1], "{size}");
         }
     }

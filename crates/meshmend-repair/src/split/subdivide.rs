@@ -31,8 +31,7 @@ pub(super) fn subdivide<K: Connectivity>(
     matching: &Matching,
     names: &NewVertices,
 ) -> Inserted {
-    let edges: Vec<EdgeId> =
-        kernel.edges().filter(|&edge| coincide(kernel, matching, names, edge)).collect();
+    let edges: Vec<EdgeId> = kernel.edges().filter(|&edge| coincide(kernel, matching, names, edge)).collect();
     let mut inserted = Inserted { vertices: Vec::new(), sides: Vec::new(), edges };
     if inserted.edges.is_empty() {
         return inserted;

@@ -6,8 +6,9 @@
 //!
 //! * A *same* duplicate is a face whose directed cycle an earlier face has; an *opposite* one is a face whose cycle
 //!   an earlier face has the other way round, and none the same way.
-//! * The genus of a non-orientable component and the cross-caps of an orientable one are 0; the totals of loops,
-//!   genus and cross-caps are null as soon as one component is no manifold.
+//! * A component that is not orientable has no genus, and one that is has no cross-caps: both null. A total is null
+//!   as soon as one component is no manifold, and where no component has the figure; but without a component there
+//!   are 0 boundary loops.
 //! * A mesh without a face is manifold, orientable and consistently oriented, and not closed.
 
 mod betti;
@@ -25,9 +26,6 @@ use cells::Cells;
 pub use components::{ComponentRow, surface_name};
 pub use patches::Witness;
 pub use vertices::VertexKind;
-
-/// The name under which components that are no manifold are counted.
-pub const NO_SURFACE: &str = "not a manifold";
 
 /// The counts, under the names that reports use.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -58,8 +56,8 @@ pub struct OracleReport {
     pub cross_caps: Option<usize>,
     pub betti: BettiTriples,
     pub instigators: Instigators,
-    /// How many components there are of each name.
-    pub component_kinds: BTreeMap<String, usize>,
+    /// The components, those that are alike counted in one row, by lowest vertex.
+    pub component_kinds: Vec<ComponentRow>,
 }
 
 /// Faces that an earlier face doubles.
@@ -129,7 +127,7 @@ pub struct Findings {
     pub patches: Vec<Vec<u32>>,
     /// For each patch that can't be oriented the witness, by lowest face of the patch.
     pub witnesses: Vec<Witness>,
-    /// The components, by lowest face.
+    /// The components, by lowest vertex.
     pub components: Vec<ComponentRow>,
 }
 
@@ -174,11 +172,11 @@ pub fn report(soup: &Soup) -> OracleReport {
     let kinds = || found.vertex_kinds.values();
     let pinched = kinds().filter(|kind| matches!(kind, VertexKind::Pinched { .. })).count();
     let singular = kinds().filter(|&&kind| kind == VertexKind::Singular).count();
-    let mut component_kinds = BTreeMap::new();
-    for row in &found.components {
-        *component_kinds.entry(row.kind.clone().unwrap_or_else(|| NO_SURFACE.into())).or_insert(0) += 1;
-    }
-    let total = |figure: fn(&ComponentRow) -> Option<usize>| found.components.iter().map(figure).sum();
+    let is_surface = found.components.iter().all(|row| row.manifold);
+    let total = |figure: fn(&ComponentRow) -> Option<usize>| {
+        let figures: Vec<usize> = found.components.iter().filter_map(figure).collect();
+        (is_surface && !figures.is_empty()).then(|| figures.iter().sum())
+    };
     OracleReport {
         vertices,
         edges,
@@ -203,7 +201,7 @@ pub fn report(soup: &Soup) -> OracleReport {
         euler_characteristic: vertices as i64 - edges as i64 + faces as i64,
         components,
         patches: found.patches.len(),
-        boundary_loops: total(|row| row.boundary_loops),
+        boundary_loops: total(|row| row.boundary_loops).or((components == 0).then_some(0)),
         genus: total(|row| row.genus),
         cross_caps: total(|row| row.cross_caps),
         instigators: Instigators {
@@ -215,7 +213,7 @@ pub fn report(soup: &Soup) -> OracleReport {
             f_c: betti.z2[2],
         },
         betti,
-        component_kinds,
+        component_kinds: components::kinds(&found.components),
     }
 }
 

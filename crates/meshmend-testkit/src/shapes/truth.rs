@@ -21,9 +21,9 @@ pub struct Truth {
     pub orientable: bool,
     /// Cycles of boundary edges, over all components.
     pub boundary_loops: Option<usize>,
-    /// The sum over the orientable components.
+    /// The sum over the orientable components, where there are any.
     pub genus: Option<usize>,
-    /// The sum over the others.
+    /// The sum over the others, where there are any.
     pub cross_caps: Option<usize>,
     /// β₀, β₁, β₂ over Z/2.
     pub betti_z2: [usize; 3],
@@ -56,10 +56,10 @@ impl Truth {
     pub fn surface(kind: Closed, holes: usize, vertices: usize, edges: usize, faces: usize) -> Self {
         let closed = usize::from(holes == 0);
         let (genus, cross_caps) = match kind {
-            Closed::Handles(g) => (g, 0),
-            Closed::CrossCaps(caps) => (0, caps),
+            Closed::Handles(genus) => (Some(genus), None),
+            Closed::CrossCaps(caps) => (None, Some(caps)),
         };
-        let loops = 2 * genus + cross_caps + holes.saturating_sub(1);
+        let loops = 2 * genus.unwrap_or(0) + cross_caps.unwrap_or(0) + holes.saturating_sub(1);
         let betti_z2 = [1, loops, closed];
         let betti_q = match kind {
             Closed::CrossCaps(_) if holes == 0 => [1, loops - 1, 0],
@@ -71,10 +71,10 @@ impl Truth {
             faces,
             components: 1,
             manifold: true,
-            orientable: cross_caps == 0,
+            orientable: cross_caps.is_none(),
             boundary_loops: Some(holes),
-            genus: Some(genus),
-            cross_caps: Some(cross_caps),
+            genus,
+            cross_caps,
             betti_z2,
             betti_q,
         }
