@@ -83,7 +83,7 @@ impl<I: Id> Sources<I> {
     fn then(&self, later: &Self) -> Self {
         if self.is_same() {
             later.clone()
-        } else if later.is_same() {
+        } else if later.is_all_of(self.count) {
             self.clone()
         } else {
             Sources::listed(later.iter().map(|(_, middle)| middle.and_then(|m| self.of(m))))

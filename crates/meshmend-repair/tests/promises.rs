@@ -197,6 +197,7 @@ proptest! {
         let soup = shape.soup;
         let report = oracle::report(&soup);
         prop_assume!(report.manifold && report.consistently_oriented && report.unreferenced_vertices == 0);
+        prop_assume!(report.degenerate_faces + report.non_simple_faces + report.duplicate_faces.same == 0);
         let mesh = soup.mesh();
         let repaired = Pipeline::default().run(&mesh).unwrap();
         let coincident = meshmend_repair::coincident_vertices(&mesh).iter().zip(0..).any(|(low, v)| low.0 != v);

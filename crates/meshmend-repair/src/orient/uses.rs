@@ -35,8 +35,10 @@ pub(crate) struct LiveUses {
     group_uses: Vec<CornerId>,
     group_alive: Vec<u32>,
     matching: Matching,
+    /// Edges with two alive uses in all, and pairs alone as stored, that were not looked at yet.
     edges_with_two: Vec<EdgeId>,
     groups_with_two: Vec<u32>,
+    pairs_as_stored: Vec<Pair>,
 }
 
 impl LiveUses {
@@ -54,14 +56,19 @@ impl LiveUses {
             matching: Matching::free(kernel.corner_count()),
             edges_with_two: Vec::new(),
             groups_with_two: Vec::new(),
+            pairs_as_stored: Vec::new(),
         };
         let mut groups = StoredGroups::default();
         for edge in kernel.edges() {
             let uses = groups.uses_of(kernel, names, edge);
             let alive = |corner: CornerId| is_alive[kernel.corner_face(corner)];
             live.edge_alive[edge] = uses.iter().filter(|u| alive(u.corner)).count() as u32;
-            if live.edge_alive[edge] == 2 {
-                live.edges_with_two.push(edge);
+            match uses {
+                [one, other] if live.edge_alive[edge] == 2 && one.stored == other.stored => {
+                    live.pairs_as_stored.push((one.corner, other.corner));
+                }
+                _ if live.edge_alive[edge] == 2 => live.edges_with_two.push(edge),
+                _ => {}
             }
             if uses.len() < 3 {
                 continue;
@@ -100,20 +107,20 @@ impl LiveUses {
         }
     }
 
-    /// Matches what has become unambiguous since the last call: by rule 1, then by rule 2, each by edge.
+    /// Matches what has become unambiguous since the last call: by rule 1, then by rule 2, each by edge. A seam that
+    /// was cut before is stitched by rule 2, so what contradicts is found there again.
     pub(crate) fn new_pairs<K: Connectivity>(
         &mut self,
         kernel: &K,
         is_alive: &Column<FaceId, bool>,
     ) -> Vec<Pair> {
-        let mut pairs = Vec::new();
+        let mut pairs = std::mem::take(&mut self.pairs_as_stored);
         let alive = |corner: &CornerId| is_alive[kernel.corner_face(*corner)];
-        let mut groups = std::mem::take(&mut self.groups_with_two);
-        groups.sort_unstable();
-        for group in groups.into_iter().map(|g| g as usize) {
+        for group in std::mem::take(&mut self.groups_with_two).into_iter().map(|g| g as usize) {
             let range = self.group_starts[group] as usize..self.group_starts[group + 1] as usize;
             pairs.extend(the_two(self.group_uses[range].iter().copied().filter(alive)));
         }
+        pairs.sort_unstable_by_key(|&(one, _)| (kernel.corner_edge(one), one));
         pairs.iter().for_each(|&(one, other)| self.matching.pair(one, other));
         let mut edges = std::mem::take(&mut self.edges_with_two);
         edges.sort_unstable();
