@@ -191,10 +191,7 @@ impl Pieces {
     }
 
     fn into_outcome(self, mesh: &PolygonMesh) -> Result<Outcome, PassError> {
-        let is_same = self.face.len() == mesh.faces().face_count()
-            && self.corners.len() == mesh.faces().corner_count()
-            && self.is_kept.iter().all(|&kept| kept);
-        if is_same {
+        if self.mended.is_empty() {
             return Ok(Outcome::unchanged(mesh));
         }
         let mut builder = FaceTableBuilder::default();

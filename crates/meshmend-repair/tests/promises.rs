@@ -368,6 +368,13 @@ fn loose_elements_follow_their_vertices_or_are_named() {
     assert_eq!(compact.mended.len(), 2 + 2);
 }
 
+/// One face becomes two while another goes: the counts are those of before, the faces are not.
+#[test]
+fn counts_alone_do_not_say_that_nothing_changed() {
+    let soup = Soup::generic(4, [vec![], vec![1, 2, 3, 1, 2, 0]]);
+    assert_clean(&Pipeline::default().run(&soup.mesh()).unwrap());
+}
+
 #[test]
 fn a_cancelled_pipeline_stops() {
     let cancel = std::sync::atomic::AtomicBool::new(true);
