@@ -27,6 +27,7 @@ use serde::{Deserialize, Serialize};
 use crate::{Context, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames};
 
 mod cycles;
+mod nesting;
 mod patches;
 mod uses;
 
@@ -55,6 +56,9 @@ pub enum Side {
     Majority,
     /// For a closed patch the one with positive signed volume; any other patch goes by majority.
     Outward,
+    /// The same, but a closed patch inside an odd number of others gets negative signed volume: nested shells
+    /// alternate, as the walls of hollows do.
+    OutwardNested,
 }
 
 /// What to do with a patch that has no consistent side.
@@ -167,7 +171,7 @@ impl Task<'_> {
     ) -> Result<Found, PassError> {
         let sides = match self.options.side {
             Side::Majority => Sides::Majority,
-            Side::Outward => Sides::Outward,
+            Side::Outward | Side::OutwardNested => Sides::Outward,
         };
         let contradiction = match self.options.non_orientable {
             NonOrientable::Cut => Contradiction::Cuts,
@@ -183,6 +187,15 @@ impl Task<'_> {
             }
             self.context.check_cancelled()?;
             gone.into_iter().for_each(|face| live.remove_face(kernel, face));
+        }
+        if self.options.side == Side::OutwardNested {
+            let closed = patches.closed();
+            let hollows = nesting::are_hollows(kernel, self.mesh, &closed);
+            closed
+                .iter()
+                .zip(hollows)
+                .filter(|(_, is_hollow)| *is_hollow)
+                .for_each(|(faces, _)| patches.turn(faces));
         }
         let non_orientable = patches.non_orientable();
         Ok(Found { is_alive: patches.is_alive, is_flipped: patches.is_flipped, non_orientable })

@@ -64,6 +64,9 @@ impl Pass for Weld {
             DefectKind::PinchedVertex,
             DefectKind::SingularVertex,
             DefectKind::NonOrientablePatch,
+            DefectKind::BoundaryEdge,
+            // The vertices of faces that become degenerate.
+            DefectKind::UnreferencedVertex,
         ]
     }
 

@@ -91,7 +91,7 @@ fn assert_runs_round(places: &[CornerId], is_flipped: bool) {
 }
 
 fn plans() -> impl Strategy<Value = Plan> {
-    let sides = prop_oneof![Just(Side::Majority), Just(Side::Outward)];
+    let sides = prop_oneof![Just(Side::Majority), Just(Side::Outward), Just(Side::OutwardNested)];
     let twisted = prop_oneof![Just(NonOrientable::Report), Just(NonOrientable::Cut)];
     let doubles =
         prop_oneof![Just(Duplicates::Keep), Just(Duplicates::RemovePair), Just(Duplicates::KeepFirst)];
@@ -228,7 +228,7 @@ proptest! {
 
 /// Two closed tetrahedra, one inside the other, both inside out, and an open square.
 #[test]
-fn outward_turns_closed_patches_and_leaves_others_to_the_majority() {
+fn outward_turns_closed_patches_alternating_if_asked_and_leaves_others_to_the_majority() {
     let tetrahedron = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
     let mut positions = Vec::new();
     for size in [9.0, 1.0] {
@@ -242,10 +242,12 @@ fn outward_turns_closed_patches_and_leaves_others_to_the_majority() {
     faces.extend(tetrahedron.iter().map(|f| f.iter().map(|v| v + 4).collect()));
     faces.extend([vec![8, 9, 10], vec![9, 10, 11]]);
     let soup = Soup { positions, faces };
-    let mut plan = Plan::default();
-    plan.orient.side = Side::Outward;
-    let repaired = plan.pipeline().run(&soup.mesh()).unwrap();
-    let volume = |range: std::ops::Range<usize>| -> f64 {
+    let run = |side| {
+        let mut plan = Plan::default();
+        plan.orient.side = side;
+        plan.pipeline().run(&soup.mesh()).unwrap()
+    };
+    let volume = |repaired: &Repaired, range: std::ops::Range<usize>| -> f64 {
         let soup = Soup::of_mesh(&repaired.mesh);
         let point = |v: u32| soup.positions[v as usize];
         let triple = |f: &Vec<u32>| {
@@ -256,7 +258,10 @@ fn outward_turns_closed_patches_and_leaves_others_to_the_majority() {
         };
         soup.faces[range].iter().map(triple).sum()
     };
-    assert!(volume(0..4) > 0.0 && volume(4..8) > 0.0);
+    let repaired = run(Side::Outward);
+    assert!(volume(&repaired, 0..4) > 0.0 && volume(&repaired, 4..8) > 0.0);
+    let nested = run(Side::OutwardNested);
+    assert!(volume(&nested, 0..4) > 0.0 && volume(&nested, 4..8) < 0.0);
     assert_eq!(repaired.provenance.flipped.iter().filter(|f| f.0 >= 8).count(), 1);
 }
 

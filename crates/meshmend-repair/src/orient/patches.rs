@@ -255,6 +255,27 @@ impl<'a, K: Connectivity> Patches<'a, K> {
         gone
     }
 
+    /// The faces of each alive patch without a free use and with a consistent side, by lowest root. Free uses are
+    /// counted with [`Sides::Outward`] alone.
+    pub(crate) fn closed(&mut self) -> Vec<Vec<FaceId>> {
+        let faces = (0..self.kernel.face_count() as u32).map(FaceId);
+        let closed = faces.filter(|&f| {
+            let patch = self.patch[f];
+            let is_root = self.is_alive[f] && self.sets.find(f).0 == f;
+            is_root
+                && patch.free_uses == 0
+                && !patch.is_twisted
+                && !patch.is_cut
+                && self.kernel.is_proper_face(f)
+        });
+        closed.map(|root| ring(&self.next_member, root)).collect()
+    }
+
+    /// Turns all faces of a patch.
+    pub(crate) fn turn(&mut self, faces: &[FaceId]) {
+        faces.iter().for_each(|&face| self.is_flipped[face] ^= true);
+    }
+
     /// The lowest face of each alive patch that has no consistent side, or that was cut to have one, ascending.
     pub(crate) fn non_orientable(&mut self) -> Vec<FaceId> {
         let roots = (0..self.kernel.face_count() as u32).map(FaceId).filter(|&f| self.is_alive[f]);

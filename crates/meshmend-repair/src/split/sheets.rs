@@ -15,6 +15,7 @@ use std::collections::VecDeque;
 
 use meshmend_core::{Column, Connectivity, EdgeId, FaceId, PolygonMesh};
 use rayon::prelude::*;
+use smallvec::SmallVec;
 
 use super::radial::{RadialUse, radial_order};
 use crate::matching::{Joined, Matching, SidedSets, run_the_same_way};
@@ -56,7 +57,7 @@ impl PatchSides {
         let mut sides = Self::patches(kernel, matching);
         let mut is_open = sides.is_twisted.clone();
         for edge in kernel.edges() {
-            let mut balance: Vec<(FaceId, i32)> = kernel
+            let mut balance: SmallVec<[(FaceId, i32); 4]> = kernel
                 .edge_corners(edge)
                 .map(|c| (sides.patch[kernel.corner_face(c)], if kernel.is_forward(c) { 1 } else { -1 }))
                 .collect();

@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 
 use meshmend_core::{Blend, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
+use smallvec::SmallVec;
 
 use super::classes::NewVertices;
 use crate::matching::Matching;
@@ -70,7 +71,7 @@ fn coincide<K: Connectivity>(kernel: &K, matching: &Matching, names: &NewVertice
         let (a, b) = (names.of_corner[c], names.of_corner[kernel.next_corner(c)]);
         (a.min(b), a.max(b))
     };
-    let mut ends: Vec<_> = kernel.edge_corners(edge).filter(is_first).map(ends_of).collect();
+    let mut ends: SmallVec<[_; 4]> = kernel.edge_corners(edge).filter(is_first).map(ends_of).collect();
     ends.sort_unstable();
     ends.windows(2).any(|pair| pair[0] == pair[1])
 }

@@ -1,0 +1,90 @@
+//! Which closed patches lie inside an odd number of others: the walls of hollows.
+//!
+//! A patch lies inside another one when the other one winds round a point of it. *Source*: A. Van Oosterom,
+//! J. Strackee, *The solid angle of a plane triangle*, 1983.
+
+use meshmend_core::{Connectivity, FaceId, PolygonMesh};
+
+type Point = [f64; 3];
+
+/// For each closed patch whether it lies inside an odd number of the others.
+///
+/// *Cost*: for each pair of patches whose boxes allow it, the faces of the outer one.
+pub(super) fn are_hollows<K: Connectivity>(
+    kernel: &K,
+    mesh: &PolygonMesh,
+    patches: &[Vec<FaceId>],
+) -> Vec<bool> {
+    let shells: Vec<Shell> = patches.iter().map(|faces| Shell::of(kernel, mesh, faces)).collect();
+    let lies_in = |inner: &Shell, outer: &Shell| {
+        outer.box_holds(inner.inside_point) && outer.winding(kernel, mesh, inner.inside_point).abs() > 0.5
+    };
+    let depth = |place: usize| {
+        let others = shells.iter().enumerate().filter(|(other, _)| *other != place);
+        others.filter(|(_, outer)| lies_in(&shells[place], outer)).count()
+    };
+    (0..shells.len()).map(|place| depth(place) % 2 == 1).collect()
+}
+
+struct Shell<'a> {
+    faces: &'a [FaceId],
+    low: Point,
+    high: Point,
+    /// The centre of the first face: on the shell, and rarely on another one.
+    inside_point: Point,
+}
+
+impl<'a> Shell<'a> {
+    fn of<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, faces: &'a [FaceId]) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for &face in faces {
+            for point in kernel.face_vertices(face).map(|v| mesh.position(v)) {
+                low = std::array::from_fn(|i| low[i].min(point[i]));
+                high = std::array::from_fn(|i| high[i].max(point[i]));
+            }
+        }
+        let first = faces
+            .first()
+            .map(|&face| kernel.face_vertices(face).map(|v| mesh.position(v)).collect::<Vec<_>>());
+        let corners = first.unwrap_or_default();
+        let share = 1.0 / corners.len().max(1) as f64;
+        let inside_point = std::array::from_fn(|i| corners.iter().map(|p| p[i] * share).sum());
+        Shell { faces, low, high, inside_point }
+    }
+
+    fn box_holds(&self, point: Point) -> bool {
+        (0..3).all(|i| self.low[i] <= point[i] && point[i] <= self.high[i])
+    }
+
+    /// How often the shell winds round a point.
+    fn winding<K: Connectivity>(&self, kernel: &K, mesh: &PolygonMesh, point: Point) -> f64 {
+        let mut angle = 0.0;
+        for &face in self.faces {
+            let mut corners = kernel.face_vertices(face).map(|v| minus(mesh.position(v), point));
+            let (Some(first), Some(mut last)) = (corners.next(), corners.next()) else { continue };
+            for next in corners {
+                angle += solid_angle(first, last, next);
+                last = next;
+            }
+        }
+        angle / (4.0 * std::f64::consts::PI)
+    }
+}
+
+fn solid_angle(a: Point, b: Point, c: Point) -> f64 {
+    let (x, y, z) = (length(a), length(b), length(c));
+    let volume = dot(a, [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]]);
+    2.0 * volume.atan2(x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y)
+}
+
+fn minus(a: Point, b: Point) -> Point {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn length(a: Point) -> f64 {
+    dot(a, a).sqrt()
+}
