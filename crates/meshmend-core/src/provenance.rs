@@ -165,7 +165,7 @@ impl Provenance {
         if later.is_same() {
             return self.clone();
         }
-        if self.is_same() && later.vertices.is_same() {
+        if self.is_same() && later.vertices.is_all_of(later.before.vertices) {
             return later.clone();
         }
         let corners = self.corners.then(&later.corners);

@@ -42,7 +42,13 @@ impl Highest {
 
 impl Parts {
     /// Keeps a comment or another statement about the whole file, up to the limit.
-    pub(crate) fn keep_statement(&mut self, key: &str, value: &[u8], limits: &Limits, place: impl FnOnce() -> Place) {
+    pub(crate) fn keep_statement(
+        &mut self,
+        key: &str,
+        value: &[u8],
+        limits: &Limits,
+        place: impl FnOnce() -> Place,
+    ) {
         if self.metadata.len() < limits.max_comments {
             self.metadata.push(Metadata { key: key.to_owned(), value: value.to_vec() });
         } else {

@@ -45,6 +45,10 @@ pub fn replace_file<E: From<io::Error>>(
     if old.as_ref().is_some_and(|old| old.permissions().readonly()) {
         return Err(io::Error::from(io::ErrorKind::PermissionDenied).into());
     }
+    if old.is_some() {
+        // Renaming asks for the folder's permission alone; a file that may not be written is not to be replaced.
+        OpenOptions::new().write(true).open(path)?;
+    }
     let target = if old.is_some() { fs::canonicalize(path)? } else { path.to_owned() };
     let mut temporary = Temporary::beside(&target)?;
     fill(&mut temporary.file)?;

@@ -107,7 +107,8 @@ impl Format {
 
     /// The format of an extension, in any case and without the dot.
     pub fn from_extension(extension: &str) -> Option<Format> {
-        let stands_for = |format: &&Format| format.extensions().iter().any(|e| e.eq_ignore_ascii_case(extension));
+        let stands_for =
+            |format: &&Format| format.extensions().iter().any(|e| e.eq_ignore_ascii_case(extension));
         Format::ALL.iter().find(stands_for).copied()
     }
 

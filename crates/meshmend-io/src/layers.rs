@@ -49,14 +49,18 @@ pub(crate) fn absent(layer: &Layer) -> usize {
 
 /// A loss for each layer that is not among those which are written.
 pub(crate) fn layer_losses(mesh: &PolygonMesh, written: &[&Layer]) -> Vec<Loss> {
-    let is_written = |layer: &&Layer| written.iter().any(|other| std::ptr::eq(*other, *layer));
+    let mut addresses: Vec<*const Layer> = written.iter().map(|&layer| std::ptr::from_ref(layer)).collect();
+    addresses.sort_unstable();
+    let is_written = |layer: &&Layer| addresses.binary_search(&std::ptr::from_ref(*layer)).is_ok();
     let left_out = mesh.layers().iter().filter(|layer| !is_written(layer));
     left_out.filter_map(|layer| layer_loss(layer, layer.element_count() - absent(layer))).collect()
 }
 
 fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
     let (domain, name) = (domain_name(layer.domain()), layer.name());
-    Loss::if_any(LossKind::Layer, count, |count| format!("{domain} attribute `{name}` of {count} {}", elements(layer)))
+    Loss::if_any(LossKind::Layer, count, |count| {
+        format!("{domain} attribute `{name}` of {count} {}", elements(layer))
+    })
 }
 
 /// `vertex`, `corner` or `face`.

@@ -51,7 +51,11 @@ impl Loss {
     }
 
     /// The loss if it concerns any element.
-    pub(crate) fn if_any(kind: LossKind, count: usize, message: impl FnOnce(usize) -> String) -> Option<Self> {
+    pub(crate) fn if_any(
+        kind: LossKind,
+        count: usize,
+        message: impl FnOnce(usize) -> String,
+    ) -> Option<Self> {
         (count > 0).then(|| Loss::new(kind, count, message(count)))
     }
 }

@@ -41,8 +41,11 @@ pub struct ReadFile {
 /// *Cost*: the whole file is held in memory while it is read; time is linear in its size.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     let name = path.display().to_string();
-    let bytes = read_whole(path, options.limits.max_file_bytes)
-        .map_err(|kind| ReadError { file: name.clone(), place: Place::File, kind })?;
+    let bytes = read_whole(path, options.limits.max_file_bytes).map_err(|kind| ReadError {
+        file: name.clone(),
+        place: Place::File,
+        kind,
+    })?;
     read_as(&bytes, &name, options.format.or_else(|| Format::from_path(path)), &options.limits)
 }
 
@@ -87,12 +90,7 @@ impl Source<'_> {
     }
 }
 
-fn read_as(
-    bytes: &[u8],
-    name: &str,
-    format: Option<Format>,
-    limits: &Limits,
-) -> Result<ReadFile, ReadError> {
+fn read_as(bytes: &[u8], name: &str, format: Option<Format>, limits: &Limits) -> Result<ReadFile, ReadError> {
     let source = Source { bytes, name };
     source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
     let extension_is_known = Path::new(name).extension().is_some_and(is_foreign);
@@ -100,7 +98,8 @@ fn read_as(
         None if !extension_is_known => Format::from_content(bytes),
         format => format,
     };
-    let unknown = || ReadError { file: name.to_owned(), place: Place::File, kind: ReadErrorKind::UnknownFormat };
+    let unknown =
+        || ReadError { file: name.to_owned(), place: Place::File, kind: ReadErrorKind::UnknownFormat };
     let format = format.ok_or_else(unknown)?;
     let parsed = (format.driver().read)(&source, &limits.within_a_mesh())?;
     Ok(ReadFile { mesh: parsed.mesh, format, variant: parsed.variant, notes: parsed.notes.into_list() })
@@ -122,7 +121,9 @@ fn read_whole(path: &Path, limit: u64) -> Result<Vec<u8>, ReadErrorKind> {
     if status.len() > limit {
         return Err(exceeded(status.len()));
     }
-    let mut bytes = Vec::with_capacity(status.len() as usize + 1);
+    let mut bytes = Vec::new();
+    let too_large = |_| ReadErrorKind::Io(io::Error::from(io::ErrorKind::OutOfMemory));
+    bytes.try_reserve_exact(status.len() as usize + 1).map_err(too_large)?;
     file.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(ReadErrorKind::Io)?;
     if bytes.len() as u64 > limit {
         return Err(exceeded(bytes.len() as u64));

@@ -117,7 +117,10 @@ mod tests {
     fn numbers_are_short() {
         let values = [0.0, -0.0, 1.0, -1.5, 0.1, 1e15, 1e16, 1e-7, 1e308, f64::NAN, f64::NEG_INFINITY];
         let texts: Vec<String> = values.iter().map(|&v| text_of(v)).collect();
-        assert_eq!(texts, ["0", "-0", "1", "-1.5", "0.1", "1000000000000000", "1e+16", "1e-7", "1e+308", "nan", "-inf"]);
+        assert_eq!(
+            texts,
+            ["0", "-0", "1", "-1.5", "0.1", "1000000000000000", "1e+16", "1e-7", "1e+308", "nan", "-inf"]
+        );
     }
 
     #[test]

@@ -110,7 +110,8 @@ fn odd_real<T: FastFloat + From<f32>>(bytes: &[u8]) -> Option<(T, usize)> {
         Some((b'+', rest)) => (1.0, rest),
         _ => (1.0, word),
     };
-    let starts = |prefix: &[u8]| rest.len() >= prefix.len() && rest[..prefix.len()].eq_ignore_ascii_case(prefix);
+    let starts =
+        |prefix: &[u8]| rest.len() >= prefix.len() && rest[..prefix.len()].eq_ignore_ascii_case(prefix);
     let value = if starts(b"1.#inf") {
         f32::INFINITY
     } else if starts(b"nan(") || starts(b"1.#") {
@@ -126,7 +127,8 @@ fn odd_real<T: FastFloat + From<f32>>(bytes: &[u8]) -> Option<(T, usize)> {
 #[inline]
 pub(crate) fn digits(bytes: &[u8]) -> Option<(u64, usize)> {
     let (mut value, mut length) = (0_u64, 0);
-    while let Some(digit) = bytes.get(length).map(|byte| byte.wrapping_sub(b'0')).filter(|&digit| digit < 10) {
+    while let Some(digit) = bytes.get(length).map(|byte| byte.wrapping_sub(b'0')).filter(|&digit| digit < 10)
+    {
         value = if length < 19 { value * 10 + u64::from(digit) } else { u64::MAX };
         length += 1;
     }

@@ -14,7 +14,9 @@
 //! does not exist leaves the corner without that value and is noted, as the geometry is whole. `\` at the end of
 //! a line continues it (not a comment). Lines end with LF, CR LF or CR.
 
+mod cursor;
 mod names;
+mod pools;
 mod read;
 mod write;
 

@@ -27,14 +27,22 @@ pub(super) const KINDS: [Kind; 4] = [
 #[derive(Default)]
 pub(super) struct Runs<'a> {
     runs: Vec<(usize, Cow<'a, [u8]>)>,
+    /// How many names no face has, and where the statement is that replaces the first of them.
+    unused: Option<(u64, usize)>,
 }
 
 impl<'a> Runs<'a> {
-    /// From this face on the name holds. Says whether it replaces one that no face had.
-    pub(super) fn start(&mut self, face: usize, name: Cow<'a, [u8]>) -> bool {
-        let replaced = self.runs.pop_if(|(first, _)| *first == face).is_some_and(|(_, old)| !old.is_empty());
+    /// From this face on the name holds that a statement says.
+    pub(super) fn start(&mut self, face: usize, name: Cow<'a, [u8]>, at: usize) {
+        if self.runs.pop_if(|(first, _)| *first == face).is_some_and(|(_, old)| !old.is_empty()) {
+            self.unused.get_or_insert((0, at)).0 += 1;
+        }
         self.runs.push((face, name));
-        replaced
+    }
+
+    /// How many names no face has, and where the statement is that replaces the first of them.
+    pub(super) fn unused(&self) -> Option<(u64, usize)> {
+        self.unused
     }
 
     /// The face layer, or nothing when no face has a name.

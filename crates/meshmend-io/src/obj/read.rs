@@ -1,11 +1,11 @@
 //! The OBJ reader: one pass over the bytes, without a copy of any line.
 
-use std::borrow::Cow;
-
 use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Values, VertexId};
 
 use crate::assemble::{Parts, Uses, no_such_vertex};
+use crate::obj::cursor::{COLUMNS, Cursor};
 use crate::obj::names::{KINDS, Runs};
+use crate::obj::pools::{Colors, Pool};
 use crate::read::{Parsed, Source};
 use crate::text::{self, is_blank, is_line_end};
 use crate::{Limits, NoteKind, Place, ReadError};
@@ -27,9 +27,8 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
 
 struct Reader<'a> {
     source: &'a Source<'a>,
-    bytes: &'a [u8],
     limits: &'a Limits,
-    at: usize,
+    cursor: Cursor<'a>,
     /// Whether a statement, or a comment, was understood.
     is_obj: bool,
     parts: Parts,
@@ -42,33 +41,13 @@ struct Reader<'a> {
     names: [Runs<'a>; KINDS.len()],
 }
 
-/// Values of one to three numbers, one after the other, all as wide as the widest.
-struct Pool {
-    width: usize,
-    values: Vec<f64>,
-    mixed: u64,
-}
-
-#[derive(Default)]
-struct Colors {
-    width: usize,
-    values: Vec<[f64; 4]>,
-    uses: Vec<u32>,
-}
-
-/// The most numbers of a statement that have a meaning.
-const COLUMNS: usize = 8;
-
 impl<'a> Reader<'a> {
     fn new(source: &'a Source<'a>, limits: &'a Limits) -> Self {
-        const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
-        let at = if source.bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
         let pool = |width| Pool { width, values: Vec::new(), mixed: 0 };
         Reader {
             source,
-            bytes: source.bytes,
             limits,
-            at,
+            cursor: Cursor::new(source),
             is_obj: false,
             parts: Parts::default(),
             weights: None,
@@ -83,10 +62,10 @@ impl<'a> Reader<'a> {
 
     fn statements(&mut self) -> Result<(), ReadError> {
         loop {
-            self.skip_blanks();
-            match self.peek() {
+            self.cursor.skip_blanks();
+            match self.cursor.peek() {
                 None => return Ok(()),
-                Some(byte) if is_line_end(byte) => self.at += 1,
+                Some(byte) if is_line_end(byte) => self.cursor.at += 1,
                 Some(b'#') => self.comment(),
                 Some(first) => self.statement(first)?,
             }
@@ -95,14 +74,15 @@ impl<'a> Reader<'a> {
 
     #[inline]
     fn statement(&mut self, first: u8) -> Result<(), ReadError> {
-        let is_short = self.bytes.get(self.at + 1).is_none_or(|&b| is_blank(b) || is_line_end(b));
+        let is_short =
+            self.cursor.bytes.get(self.cursor.at + 1).is_none_or(|&b| is_blank(b) || is_line_end(b));
         match first {
             b'v' if is_short => {
-                self.at += 1;
+                self.cursor.at += 1;
                 self.vertex()
             }
             b'f' if is_short => {
-                self.at += 1;
+                self.cursor.at += 1;
                 self.face()
             }
             _ => self.other_statement(),
@@ -110,11 +90,11 @@ impl<'a> Reader<'a> {
     }
 
     fn other_statement(&mut self) -> Result<(), ReadError> {
-        let start = self.at;
-        let keyword = text::word(self.bytes, start);
-        self.at += keyword.len();
+        let start = self.cursor.at;
+        let keyword = text::word(self.cursor.bytes, start);
+        self.cursor.at += keyword.len();
         if keyword.contains(&0) {
-            return Err(self.wrong(start, "a NUL byte in a statement"));
+            return Err(self.cursor.wrong(start, "a NUL byte in a statement"));
         }
         let known = std::mem::replace(&mut self.is_obj, true);
         match keyword {
@@ -123,7 +103,7 @@ impl<'a> Reader<'a> {
             b"l" => self.polyline(),
             b"p" => self.points(),
             b"mtllib" => {
-                let name = self.rest()?;
+                let name = self.cursor.rest()?;
                 self.keep("mtllib", &name, start);
                 Ok(())
             }
@@ -138,7 +118,7 @@ impl<'a> Reader<'a> {
     }
 
     fn unknown(&mut self, keyword: &[u8], start: usize) -> Result<(), ReadError> {
-        self.rest()?;
+        self.cursor.rest()?;
         let message = format!("statement `{}` is not understood and was skipped", text::shown(keyword));
         let source = self.source;
         self.parts.notes.add(NoteKind::SkippedStatement, &message, || source.line(start));
@@ -146,11 +126,11 @@ impl<'a> Reader<'a> {
     }
 
     fn comment(&mut self) {
-        let (start, end) = (self.at, text::line_end(self.bytes, self.at));
-        let bytes = self.bytes;
+        let (start, end) = (self.cursor.at, text::line_end(self.cursor.bytes, self.cursor.at));
+        let bytes = self.cursor.bytes;
         self.is_obj |= bytes.len() > 1;
         self.keep("comment", text::comment_text(&bytes[start + 1..end]), start);
-        self.at = end;
+        self.cursor.at = end;
     }
 
     fn keep(&mut self, key: &str, value: &[u8], start: usize) {
@@ -159,19 +139,15 @@ impl<'a> Reader<'a> {
     }
 
     fn name(&mut self, kind: usize, start: usize) -> Result<(), ReadError> {
-        let name = self.rest()?;
-        if self.names[kind].start(self.parts.faces.face_count(), name) {
-            let message = format!("an {} that no face has was skipped", KINDS[kind].layer);
-            let source = self.source;
-            self.parts.notes.add(NoteKind::UnusedName, &message, || source.line(start));
-        }
+        let name = self.cursor.rest()?;
+        self.names[kind].start(self.parts.faces.face_count(), name, start);
         Ok(())
     }
 
     fn vertex(&mut self) -> Result<(), ReadError> {
-        let start = self.at;
+        let start = self.cursor.at;
         let mut numbers = [0.0; COLUMNS];
-        let count = self.numbers(&mut numbers)?;
+        let count = self.cursor.numbers(&mut numbers)?;
         let index = self.parts.positions.len();
         if index as u64 >= self.limits.max_vertices {
             self.source.limited("vertices", index as u64 + 1, self.limits.max_vertices)?;
@@ -181,7 +157,7 @@ impl<'a> Reader<'a> {
         self.is_obj = true;
         match count {
             3 => {}
-            0..3 => return Err(self.wrong(start, "a vertex with fewer than three coordinates")),
+            0..3 => return Err(self.cursor.wrong(start, "a vertex with fewer than three coordinates")),
             4 => self.weight(index, numbers[3]),
             6 => self.colors.set(index, [numbers[3], numbers[4], numbers[5], 1.0], 3),
             7 => self.colors.set(index, [numbers[3], numbers[4], numbers[5], numbers[6]], 4),
@@ -203,8 +179,8 @@ impl<'a> Reader<'a> {
 
     fn texcoord(&mut self, start: usize) -> Result<(), ReadError> {
         let mut numbers = [0.0; COLUMNS];
-        match self.numbers(&mut numbers)? {
-            0 => return Err(self.wrong(start, "a texture coordinate without a number")),
+        match self.cursor.numbers(&mut numbers)? {
+            0 => return Err(self.cursor.wrong(start, "a texture coordinate without a number")),
             count @ 1..=3 => self.texcoords.push(&numbers[..count]),
             _ => {
                 self.texcoords.push(&numbers[..3]);
@@ -216,9 +192,9 @@ impl<'a> Reader<'a> {
 
     fn normal(&mut self, start: usize) -> Result<(), ReadError> {
         let mut numbers = [0.0; COLUMNS];
-        let count = self.numbers(&mut numbers)?;
+        let count = self.cursor.numbers(&mut numbers)?;
         if count < 3 {
-            return Err(self.wrong(start, "a normal with fewer than three numbers"));
+            return Err(self.cursor.wrong(start, "a normal with fewer than three numbers"));
         }
         self.normals.push(&numbers[..3]);
         if count > 3 {
@@ -229,16 +205,16 @@ impl<'a> Reader<'a> {
 
     fn face(&mut self) -> Result<(), ReadError> {
         self.is_obj = true;
-        while self.more_items() {
-            let start = self.at;
-            let raw = self.index("a vertex index")?;
+        while self.cursor.more_items() {
+            let start = self.cursor.at;
+            let raw = self.cursor.index("a vertex index")?;
             let vertex = self.vertex_index(raw, start)?;
             let corner = self.parts.faces.corner_count();
             self.parts.faces.push_corner(VertexId(vertex));
-            if self.peek() == Some(b'/') {
+            if self.cursor.peek() == Some(b'/') {
                 self.attributes(corner, start)?;
             }
-            self.end_item("a corner")?;
+            self.cursor.end_item("a corner")?;
         }
         self.parts.faces.end_face();
         let (faces, corners) = (self.parts.faces.face_count(), self.parts.faces.corner_count());
@@ -250,18 +226,18 @@ impl<'a> Reader<'a> {
 
     /// What follows a corner's vertex: `/t`, `//n`, `/t/n`; nothing after a slash is no value.
     fn attributes(&mut self, corner: usize, start: usize) -> Result<(), ReadError> {
-        self.at += 1;
-        if self.is_index() {
-            let raw = self.index("a texture index")?;
+        self.cursor.at += 1;
+        if self.cursor.is_index() {
+            let raw = self.cursor.index("a texture index")?;
             let value = self.attribute_index(raw, self.texcoords.len(), start);
             self.texcoord_uses.set(corner, value, start);
         }
-        if self.peek() != Some(b'/') {
+        if self.cursor.peek() != Some(b'/') {
             return Ok(());
         }
-        self.at += 1;
-        if self.is_index() {
-            let raw = self.index("a normal index")?;
+        self.cursor.at += 1;
+        if self.cursor.is_index() {
+            let raw = self.cursor.index("a normal index")?;
             let value = self.attribute_index(raw, self.normals.len(), start);
             self.normal_uses.set(corner, value, start);
         }
@@ -270,7 +246,7 @@ impl<'a> Reader<'a> {
 
     fn polyline(&mut self) -> Result<(), ReadError> {
         let mut previous = None;
-        while self.more_items() {
+        while self.cursor.more_items() {
             let vertex = self.loose_vertex()?;
             if let Some(previous) = previous.replace(vertex) {
                 self.parts.loose_edges.push([previous, vertex]);
@@ -280,7 +256,7 @@ impl<'a> Reader<'a> {
     }
 
     fn points(&mut self) -> Result<(), ReadError> {
-        while self.more_items() {
+        while self.cursor.more_items() {
             let vertex = self.loose_vertex()?;
             self.parts.loose_points.push(vertex);
         }
@@ -288,19 +264,19 @@ impl<'a> Reader<'a> {
     }
 
     fn loose_vertex(&mut self) -> Result<VertexId, ReadError> {
-        let start = self.at;
-        let raw = self.index("a vertex index")?;
+        let start = self.cursor.at;
+        let raw = self.cursor.index("a vertex index")?;
         let vertex = self.vertex_index(raw, start)?;
-        if self.peek() == Some(b'/') {
-            self.at += 1;
-            if self.is_index() {
-                self.index("a texture index")?;
+        if self.cursor.peek() == Some(b'/') {
+            self.cursor.at += 1;
+            if self.cursor.is_index() {
+                self.cursor.index("a texture index")?;
             }
             let source = self.source;
             let message = "texture coordinates of loose edges were skipped";
             self.parts.notes.add(NoteKind::LooseAttribute, message, || source.line(start));
         }
-        self.end_item("an element")?;
+        self.cursor.end_item("an element")?;
         Ok(VertexId(vertex))
     }
 
@@ -313,9 +289,11 @@ impl<'a> Reader<'a> {
                 self.parts.highest.see(index, start);
                 Ok(index)
             }
-            None if raw == 0 => Err(self.wrong(start, "vertex index 0: the first vertex is 1")),
-            None if raw.saturating_abs() == i64::MAX => Err(self.wrong(start, "a vertex index beyond 64 bits")),
-            None => Err(self.wrong(start, &no_such_vertex(raw, count))),
+            None if raw == 0 => Err(self.cursor.wrong(start, "vertex index 0: the first vertex is 1")),
+            None if raw.saturating_abs() == i64::MAX => {
+                Err(self.cursor.wrong(start, "a vertex index beyond 64 bits"))
+            }
+            None => Err(self.cursor.wrong(start, &no_such_vertex(raw, count))),
         }
     }
 
@@ -338,119 +316,6 @@ impl<'a> Reader<'a> {
         self.parts.notes.add(NoteKind::SurplusColumns, message, || source.line(start));
     }
 
-    /// The rest of a statement as numbers; tells how many, and keeps as many as fit.
-    #[inline]
-    fn numbers(&mut self, kept: &mut [f64; COLUMNS]) -> Result<usize, ReadError> {
-        let mut count = 0;
-        while self.more_items() {
-            let Some((value, length)) = text::real::<f64>(&self.bytes[self.at..]) else {
-                return Err(self.not_a_number());
-            };
-            self.at += length;
-            if !self.item_ended() {
-                self.at -= length;
-                return Err(self.not_a_number());
-            }
-            if let Some(slot) = kept.get_mut(count) {
-                *slot = value;
-            }
-            count += 1;
-        }
-        Ok(count)
-    }
-
-    fn not_a_number(&self) -> ReadError {
-        let found = text::shown(text::word(self.bytes, self.at));
-        self.wrong(self.at, &format!("`{found}` where a number belongs"))
-    }
-
-    fn is_index(&self) -> bool {
-        self.peek().is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'-' | b'+'))
-    }
-
-    #[inline]
-    fn index(&mut self, what: &str) -> Result<i64, ReadError> {
-        match text::integer(&self.bytes[self.at..]) {
-            Some((value, length)) => {
-                self.at += length;
-                Ok(value)
-            }
-            None => {
-                let found = text::shown(text::word(self.bytes, self.at));
-                Err(self.wrong(self.at, &format!("`{found}` where {what} belongs")))
-            }
-        }
-    }
-
-    #[inline]
-    fn item_ended(&self) -> bool {
-        self.peek().is_none_or(|byte| is_blank(byte) || is_line_end(byte) || matches!(byte, b'#' | b'\\'))
-    }
-
-    #[inline]
-    fn end_item(&self, what: &str) -> Result<(), ReadError> {
-        if self.item_ended() {
-            return Ok(());
-        }
-        let found = text::shown(text::word(self.bytes, self.at));
-        Err(self.wrong(self.at, &format!("`{found}` after {what}")))
-    }
-
-    /// Skips to the next item of the statement; at its end there is none.
-    #[inline]
-    fn more_items(&mut self) -> bool {
-        self.skip_blanks();
-        self.peek().is_some_and(|byte| !is_line_end(byte) && byte != b'#')
-    }
-
-    #[inline]
-    fn skip_blanks(&mut self) {
-        while let Some(byte) = self.peek() {
-            if is_blank(byte) {
-                self.at += 1;
-            } else if byte == b'\\' && self.bytes.get(self.at + 1).is_none_or(|&next| is_line_end(next)) {
-                self.at = text::after_line_end(self.bytes, self.at + 1);
-            } else {
-                return;
-            }
-        }
-    }
-
-    /// The rest of a statement as a name: without blanks at its ends and without a comment.
-    fn rest(&mut self) -> Result<Cow<'a, [u8]>, ReadError> {
-        let start = self.at;
-        let mut end = text::line_end(self.bytes, start);
-        let mut continued: Option<Vec<u8>> = None;
-        let mut piece = &self.bytes[start..end];
-        while let Some(before) = piece.strip_suffix(b"\\") {
-            continued.get_or_insert_default().extend([before, b" "].concat());
-            let next = text::after_line_end(self.bytes, end);
-            end = text::line_end(self.bytes, next);
-            piece = &self.bytes[next..end];
-        }
-        self.at = end;
-        if self.bytes[start..end].contains(&0) {
-            return Err(self.wrong(start, "a NUL byte in a statement"));
-        }
-        Ok(match continued {
-            None => Cow::Borrowed(name_of(piece)),
-            Some(mut whole) => {
-                whole.extend(piece);
-                Cow::Owned(name_of(&whole).to_vec())
-            }
-        })
-    }
-
-    #[inline]
-    fn peek(&self) -> Option<u8> {
-        self.bytes.get(self.at).copied()
-    }
-
-    #[cold]
-    fn wrong(&self, at: usize, reason: &str) -> ReadError {
-        self.source.malformed(self.source.line(at), reason)
-    }
-
     fn finish(mut self) -> Result<Parsed, ReadError> {
         if !self.is_obj {
             return Err(self.source.malformed(Place::Line(1), "no statement of an OBJ file"));
@@ -458,11 +323,23 @@ impl<'a> Reader<'a> {
         self.vertex_layers();
         self.corner_layers();
         let faces = self.parts.faces.face_count();
+        self.note_unused_names();
         let names = std::mem::take(&mut self.names);
-        self.parts.layers.extend(names.into_iter().zip(&KINDS).filter_map(|(runs, kind)| runs.layer(kind, faces)));
+        self.parts
+            .layers
+            .extend(names.into_iter().zip(&KINDS).filter_map(|(runs, kind)| runs.layer(kind, faces)));
         let source = self.source;
         let (mesh, notes) = self.parts.assemble(source, 1, |at| source.line(at))?;
         Ok(Parsed { mesh, variant: "obj", notes })
+    }
+
+    fn note_unused_names(&mut self) {
+        let source = self.source;
+        for (runs, kind) in self.names.iter().zip(&KINDS) {
+            let Some((count, at)) = runs.unused() else { continue };
+            let message = format!("names of `{}` that no face has were skipped", kind.layer);
+            self.parts.notes.add_many(NoteKind::UnusedName, &message, count, || source.line(at));
+        }
     }
 
     fn vertex_layers(&mut self) {
@@ -477,8 +354,8 @@ impl<'a> Reader<'a> {
 
     fn corner_layers(&mut self) {
         self.note_mixed_widths();
-        let texcoords = std::mem::replace(&mut self.texcoords.values, Vec::new());
-        let normals = std::mem::replace(&mut self.normals.values, Vec::new());
+        let texcoords = std::mem::take(&mut self.texcoords.values);
+        let normals = std::mem::take(&mut self.normals.values);
         let texcoord_uses = std::mem::take(&mut self.texcoord_uses);
         let normal_uses = std::mem::take(&mut self.normal_uses);
         self.corner_layer("texcoord", self.texcoords.width, texcoords, texcoord_uses);
@@ -507,57 +384,6 @@ impl<'a> Reader<'a> {
     }
 }
 
-impl Pool {
-    fn len(&self) -> usize {
-        self.values.len().checked_div(self.width).unwrap_or(0)
-    }
-
-    fn push(&mut self, value: &[f64]) {
-        if value.len() > self.width {
-            self.widen(value.len());
-        }
-        self.mixed += u64::from(value.len() < self.width);
-        self.values.extend_from_slice(value);
-        self.values.resize(self.values.len() + self.width - value.len(), 0.0);
-    }
-
-    fn widen(&mut self, width: usize) {
-        let count = self.len();
-        let mut wider = Vec::with_capacity((count + 1) * width);
-        for value in self.values.chunks_exact(self.width.max(1)) {
-            wider.extend_from_slice(value);
-            wider.resize(wider.len() + width - self.width, 0.0);
-        }
-        self.mixed += count as u64;
-        (self.values, self.width) = (wider, width);
-    }
-}
-
-impl Colors {
-    fn set(&mut self, vertex: usize, value: [f64; 4], width: usize) {
-        self.width = self.width.max(width);
-        self.uses.resize(vertex, NO_VALUE);
-        self.uses.push(self.values.len() as u32);
-        self.values.push(value);
-    }
-
-    fn layer(mut self, vertices: usize) -> Option<Layer> {
-        let width = self.width;
-        let values = self.values.iter().flat_map(|value| &value[..width]).copied().collect();
-        let values = Values::F64(values);
-        match self.values.len() {
-            0 => None,
-            all if all == vertices => {
-                Some(Layer::direct("color", Domain::Vertex, width, Carry::Interpolate, values))
-            }
-            _ => {
-                self.uses.resize(vertices, NO_VALUE);
-                Some(Layer::indexed("color", Domain::Vertex, width, Carry::Interpolate, values, self.uses))
-            }
-        }
-    }
-}
-
 /// An index from 0 on: positive ones count from 1, negative ones back from the count.
 #[inline]
 fn resolved(raw: i64, count: usize) -> Option<u32> {
@@ -567,11 +393,4 @@ fn resolved(raw: i64, count: usize) -> Option<u32> {
         _ => raw + count as i64,
     };
     u32::try_from(index).ok().filter(|&index| index != NO_VALUE)
-}
-
-/// A name without blanks at its ends, and without a comment: `#` at the start or after a blank.
-fn name_of(bytes: &[u8]) -> &[u8] {
-    let begins_comment = |at: usize| bytes[at] == b'#' && (at == 0 || is_blank(bytes[at - 1]));
-    let end = (0..bytes.len()).find(|&at| begins_comment(at)).unwrap_or(bytes.len());
-    text::trimmed(&bytes[..end])
 }

@@ -52,7 +52,9 @@ pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
     losses.extend(plan.names.iter().zip(&KINDS).filter_map(|(layer, kind)| {
         let Values::Text(names) = layer.as_ref()?.values() else { return None };
         let other = names.iter().filter(|name| *spelled(kind, name) != name[..]).count();
-        Loss::if_any(LossKind::Names, other, |n| format!("{n} names of `{}` are spelled otherwise", kind.layer))
+        Loss::if_any(LossKind::Names, other, |n| {
+            format!("{n} names of `{}` are spelled otherwise", kind.layer)
+        })
     }));
     losses.extend(metadata_losses(mesh, &STATEMENTS.map(|(key, _)| key)));
     losses
@@ -77,7 +79,8 @@ impl<'a> Plan<'a> {
     fn of(mesh: &'a PolygonMesh) -> Self {
         let indexed = |name, widths: std::ops::RangeInclusive<usize>| {
             let is_fit = |layer: &Layer| is_numeric(layer) && widths.contains(&layer.width());
-            layer_of(mesh, name, Domain::Corner, is_fit).or_else(|| layer_of(mesh, name, Domain::Vertex, is_fit))
+            layer_of(mesh, name, Domain::Corner, is_fit)
+                .or_else(|| layer_of(mesh, name, Domain::Vertex, is_fit))
         };
         let is_color = |layer: &Layer| {
             let is_known = has_fractions(layer) || matches!(layer.values(), Values::U8(_));
@@ -107,7 +110,8 @@ impl<'a> Plan<'a> {
             if let Some(layer) = self.weight {
                 spaced(sink, layer.value_of(vertex).map_or(1.0, |value| number(layer.values(), value)));
             }
-            if let Some((layer, value)) = self.color.and_then(|layer| Some((layer, layer.value_of(vertex)?))) {
+            if let Some((layer, value)) = self.color.and_then(|layer| Some((layer, layer.value_of(vertex)?)))
+            {
                 let scale = if has_fractions(layer) { 1.0 } else { 255.0 };
                 let width = layer.width();
                 (0..width).for_each(|i| spaced(sink, number(layer.values(), value * width + i) / scale));
@@ -143,7 +147,9 @@ impl<'a> Plan<'a> {
     fn names_before(&self, face: FaceId, current: &mut [Option<usize>; KINDS.len()], sink: &mut Sink<'_>) {
         for ((layer, kind), current) in self.names.iter().zip(&KINDS).zip(current) {
             let Some(layer) = layer else { continue };
-            let (Values::Text(names), name) = (layer.values(), layer.value_of(face.index())) else { continue };
+            let (Values::Text(names), name) = (layer.values(), layer.value_of(face.index())) else {
+                continue;
+            };
             if name == std::mem::replace(current, name) {
                 continue;
             }

@@ -35,8 +35,12 @@ impl<'a> Colors<'a> {
         let texts = || self.texts.iter().map(|(_, text)| *text);
         let (width, values) = match kind {
             Kind::Bytes(width) => (width, Values::U8(texts().flat_map(words).filter_map(byte).collect())),
-            Kind::Fractions(width) => (width, Values::F64(texts().flat_map(words).filter_map(fraction).collect())),
-            Kind::Other => (1, Values::Text(texts().map(|text| words(text).collect::<Vec<_>>().join(&b' ')).collect())),
+            Kind::Fractions(width) => {
+                (width, Values::F64(texts().flat_map(words).filter_map(fraction).collect()))
+            }
+            Kind::Other => {
+                (1, Values::Text(texts().map(|text| words(text).collect::<Vec<_>>().join(&b' ')).collect()))
+            }
         };
         let carry = if domain == Domain::Vertex { Carry::Interpolate } else { Carry::Copy };
         if self.texts.len() == elements {

@@ -7,6 +7,9 @@
 //! | with `C` in front | a colour too: vertex layer `color` |
 //! | with `ST` in front | a texture coordinate too: vertex layer `texcoord` |
 //!
+//! A texture coordinate is written only where there is neither normal nor colour: many programs don't read such
+//! headers.
+//!
 //! What follows a face's indices is its colour: face layer `color`. Colours of three or four bytes each are kept
 //! as bytes, of three or four fractions each as fractions, any others as the text that they are. `#` begins a
 //! comment; whole lines of comment are metadata. A file without the word `OFF`, of four or n dimensions, or

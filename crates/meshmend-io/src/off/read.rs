@@ -68,7 +68,8 @@ impl<'a> Reader<'a> {
         let word = &word[..word.iter().position(|&b| b == b'#').unwrap_or(word.len())];
         let Some(columns) = Columns::of_header(word) else {
             let is_other = word.ends_with(b"OFF");
-            let reason = if is_other { "is a variant that is not read" } else { "where the word `OFF` belongs" };
+            let reason =
+                if is_other { "is a variant that is not read" } else { "where the word `OFF` belongs" };
             return Err(self.wrong(self.at, &format!("`{}` {reason}", text::shown(word))));
         };
         self.at += word.len();
@@ -90,7 +91,8 @@ impl<'a> Reader<'a> {
         // The shortest vertex takes six bytes, the shortest face two; the last one needs no line end.
         let left = (self.bytes.len() - self.at) as u64;
         if vertices.saturating_mul(6).saturating_add(faces.saturating_mul(2)) > left + 1 {
-            let reason = format!("{vertices} vertices and {faces} faces are announced, {left} bytes are left");
+            let reason =
+                format!("{vertices} vertices and {faces} faces are announced, {left} bytes are left");
             return Err(self.wrong(at, &reason));
         }
         self.source.limited("vertices", vertices, self.limits.max_vertices)?;
@@ -217,7 +219,9 @@ impl<'a> Reader<'a> {
     fn surplus(&mut self) {
         while self.find_line() {
             let (source, at) = (self.source, self.at);
-            self.parts.notes.add(NoteKind::SurplusData, "lines after the last face were skipped", || source.line(at));
+            self.parts
+                .notes
+                .add(NoteKind::SurplusData, "lines after the last face were skipped", || source.line(at));
             self.end_line();
         }
     }
@@ -226,7 +230,9 @@ impl<'a> Reader<'a> {
         if self.find_line() {
             return Ok(());
         }
-        Err(self.source.malformed(Place::Byte(self.bytes.len() as u64), format!("the file ends where {what} belongs")))
+        Err(self
+            .source
+            .malformed(Place::Byte(self.bytes.len() as u64), format!("the file ends where {what} belongs")))
     }
 
     /// Goes to the first word of the next line that has one, keeping comments; says whether there is one.

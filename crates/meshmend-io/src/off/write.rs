@@ -5,8 +5,8 @@ use std::io;
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
 use crate::layers::{
-    absent, elements, has_fractions, is_numeric, layer_losses, layer_of, loose_losses, metadata_losses, number,
-    one_line,
+    absent, elements, has_fractions, is_numeric, layer_losses, layer_of, loose_losses, metadata_losses,
+    number, one_line,
 };
 use crate::sink::Sink;
 use crate::{Encoding, Loss, LossKind, WriteErrorKind};
@@ -73,12 +73,10 @@ impl<'a> Plan<'a> {
         let vertex = |name, width| {
             layer_of(mesh, name, Domain::Vertex, |layer| is_numeric(layer) && layer.width() == width)
         };
-        Plan {
-            normal: vertex("normal", 3),
-            texcoord: vertex("texcoord", 2),
-            vertex_color: layer_of(mesh, "color", Domain::Vertex, is_color),
-            face_color: layer_of(mesh, "color", Domain::Face, is_color),
-        }
+        let (normal, vertex_color) = (vertex("normal", 3), layer_of(mesh, "color", Domain::Vertex, is_color));
+        // Headers that join `ST` with other letters are legal, but many programs don't read them.
+        let texcoord = vertex("texcoord", 2).filter(|_| normal.is_none() && vertex_color.is_none());
+        Plan { normal, texcoord, vertex_color, face_color: layer_of(mesh, "color", Domain::Face, is_color) }
     }
 
     fn header(&self) -> String {
@@ -117,7 +115,9 @@ fn numbers(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
 
 /// A colour, in which whole fractions have a point that tells them from bytes.
 fn color(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
-    let Some((layer, value)) = layer.and_then(|layer| Some((layer, layer.value_of(element)?))) else { return };
+    let Some((layer, value)) = layer.and_then(|layer| Some((layer, layer.value_of(element)?))) else {
+        return;
+    };
     let width = layer.width();
     for at in value * width..(value + 1) * width {
         match layer.values() {

@@ -78,10 +78,18 @@ impl<const BIG: bool> Data for Binary<'_, BIG> {
         match scalar {
             Scalar::I8 => rows.for_each(|(b, at)| each(i64::from(i8::from_le_bytes(array::<1, BIG>(b))), at)),
             Scalar::U8 => rows.for_each(|(b, at)| each(i64::from(b[0]), at)),
-            Scalar::I16 => rows.for_each(|(b, at)| each(i64::from(i16::from_le_bytes(array::<2, BIG>(b))), at)),
-            Scalar::U16 => rows.for_each(|(b, at)| each(i64::from(u16::from_le_bytes(array::<2, BIG>(b))), at)),
-            Scalar::I32 => rows.for_each(|(b, at)| each(i64::from(i32::from_le_bytes(array::<4, BIG>(b))), at)),
-            Scalar::U32 => rows.for_each(|(b, at)| each(i64::from(u32::from_le_bytes(array::<4, BIG>(b))), at)),
+            Scalar::I16 => {
+                rows.for_each(|(b, at)| each(i64::from(i16::from_le_bytes(array::<2, BIG>(b))), at))
+            }
+            Scalar::U16 => {
+                rows.for_each(|(b, at)| each(i64::from(u16::from_le_bytes(array::<2, BIG>(b))), at))
+            }
+            Scalar::I32 => {
+                rows.for_each(|(b, at)| each(i64::from(i32::from_le_bytes(array::<4, BIG>(b))), at))
+            }
+            Scalar::U32 => {
+                rows.for_each(|(b, at)| each(i64::from(u32::from_le_bytes(array::<4, BIG>(b))), at))
+            }
             Scalar::F32 | Scalar::F64 => {
                 for (bytes, at) in rows {
                     let value = number_at::<BIG>(bytes, scalar);

@@ -23,7 +23,12 @@ impl Columns {
 
     /// Reads the next value or list of a column.
     #[inline]
-    pub(super) fn read(&mut self, element: &Element, column: usize, data: &mut impl Data) -> Result<(), ReadError> {
+    pub(super) fn read(
+        &mut self,
+        element: &Element,
+        column: usize,
+        data: &mut impl Data,
+    ) -> Result<(), ReadError> {
         let property = &element.properties[column];
         match (property.length, &mut self.values[column]) {
             (Some(length), Values::Lists { starts, items }) => {

@@ -119,7 +119,13 @@ impl HeaderReader<'_> {
         Ok(())
     }
 
-    fn property(&mut self, length: Option<&[u8]>, item: &[u8], name: &[u8], at: usize) -> Result<(), ReadError> {
+    fn property(
+        &mut self,
+        length: Option<&[u8]>,
+        item: &[u8],
+        name: &[u8],
+        at: usize,
+    ) -> Result<(), ReadError> {
         let scalar = |name: &[u8]| {
             Scalar::from_name(name).ok_or_else(|| self.wrong(at, format!("`{}` is no type", shown(name))))
         };

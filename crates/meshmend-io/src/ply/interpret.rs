@@ -13,8 +13,8 @@ use crate::ply::{CORNER_PREFIX, GROUPS, Group, PROPERTY_NAMES};
 pub(super) struct Rows<'a> {
     pub(super) element: &'a Element,
     pub(super) columns: Columns,
-    /// The columns that are no layers.
-    pub(super) taken: Vec<usize>,
+    /// Which columns are no layers, or in one already.
+    pub(super) is_taken: Vec<bool>,
     /// Which face the first row is.
     pub(super) first: usize,
     /// Where each row's corners begin, and one more; for faces only.
@@ -59,11 +59,18 @@ fn carry(values: &Values) -> Carry {
 
 impl Rows<'_> {
     /// The layer that begins with a column: name, width and values; nothing when it is in a layer already.
-    fn next_layer(&mut self, column: usize, domain: &str, parts: &mut Parts) -> Option<(String, usize, Values)> {
-        if self.taken.contains(&column) {
+    fn next_layer(
+        &mut self,
+        column: usize,
+        domain: &str,
+        parts: &mut Parts,
+    ) -> Option<(String, usize, Values)> {
+        if self.is_taken[column] {
             return None;
         }
-        let Some((group, members)) = GROUPS.iter().find_map(|group| Some((group, self.members(group, column)?))) else {
+        let Some((group, members)) =
+            GROUPS.iter().find_map(|group| Some((group, self.members(group, column)?)))
+        else {
             let values = std::mem::replace(&mut self.columns.values[column], Values::U8(Vec::new()));
             return Some((self.element.properties[column].name.clone(), 1, values));
         };
@@ -75,7 +82,7 @@ impl Rows<'_> {
             .iter()
             .map(|&member| std::mem::replace(&mut self.columns.values[member], Values::U8(Vec::new())))
             .collect();
-        self.taken.extend(&members);
+        members.iter().for_each(|&member| self.is_taken[member] = true);
         Some((group.layer.to_owned(), members.len(), interleaved(&columns)))
     }
 
@@ -90,7 +97,7 @@ impl Rows<'_> {
             properties.iter().position(|p| p.name == *name && p.length.is_none() && p.item == first.item)
         };
         let members: Vec<usize> = group.members.iter().map(of_name).collect::<Option<_>>()?;
-        members.iter().all(|member| !self.taken.contains(member)).then_some(members)
+        members.iter().all(|member| !self.is_taken[*member]).then_some(members)
     }
 
     /// The corner layer that a list property of faces is, if its name says so and its lengths fit.
@@ -102,7 +109,7 @@ impl Rows<'_> {
             None => return None,
         };
         let Values::Lists { starts, items } = &mut self.columns.values[column] else { return None };
-        if self.taken.contains(&column) {
+        if self.is_taken[column] {
             return None;
         }
         let width = corner_width(starts, &self.corner_starts)?;
@@ -112,7 +119,7 @@ impl Rows<'_> {
         let values = std::mem::replace(items.as_mut(), Scalar::U8.empty());
         let uses = corner_uses(starts, &self.corner_starts, corners);
         let carry = carry(&values);
-        self.taken.push(column);
+        self.is_taken[column] = true;
         Some(match uses {
             None => Layer::direct(name, Domain::Corner, width, carry, values),
             Some(uses) => Layer::indexed(name, Domain::Corner, width, carry, values, uses),
@@ -127,7 +134,8 @@ fn corner_width(starts: &[u32], corner_starts: &[u32]) -> Option<usize> {
     let mut full = lengths.zip(degrees).filter(|&(length, _)| length > 0);
     let (length, degree) = full.next()?;
     let width = length.checked_div(degree).filter(|&width| width * degree == length)?;
-    full.all(|(length, degree)| u64::from(degree) * u64::from(width) == u64::from(length)).then_some(width as usize)
+    full.all(|(length, degree)| u64::from(degree) * u64::from(width) == u64::from(length))
+        .then_some(width as usize)
 }
 
 /// Which value each corner uses, or nothing when corner `i` uses value `i`.

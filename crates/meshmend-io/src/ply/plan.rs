@@ -1,5 +1,7 @@
 //! Which layers become which properties, and what can't.
 
+use std::collections::BTreeSet;
+
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
 use crate::layers::{absent, domain_name, elements, layer_losses, metadata_losses, one_line, point_loss};
@@ -16,6 +18,7 @@ pub(super) struct Plan<'a> {
     pub(super) degree: Scalar,
     pub(super) vertex: Vec<Column<'a>>,
     pub(super) face: Vec<Column<'a>>,
+    names: BTreeSet<(Domain, String)>,
     losses: Vec<Loss>,
 }
 
@@ -57,8 +60,10 @@ pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
 pub(super) fn header_line(value: &[u8]) -> Vec<u8> {
     const END: &[u8] = b"end_header";
     let mut line = one_line(value).into_owned();
-    while let Some(at) = line.windows(END.len()).position(|window| window == END) {
-        line[at + 3] = b'-';
+    for at in 0..line.len().saturating_sub(END.len() - 1) {
+        if line[at..].starts_with(END) {
+            line[at + 3] = b'-';
+        }
     }
     line
 }
@@ -68,12 +73,17 @@ impl<'a> Plan<'a> {
         let is_single = |x: &f64| f64::from(*x as f32).to_bits() == x.to_bits();
         let all_single = mesh.positions().iter().flatten().all(is_single);
         let faces = mesh.faces();
-        let most = if faces.is_all_triangles() { 3 } else { faces.faces().map(|f| faces.corner_range(f).len()).max().unwrap_or(0) };
+        let most = if faces.is_all_triangles() {
+            3
+        } else {
+            faces.faces().map(|f| faces.corner_range(f).len()).max().unwrap_or(0)
+        };
         let mut plan = Plan {
             position: if all_single { Scalar::F32 } else { Scalar::F64 },
             degree: Scalar::counting(most),
             vertex: Vec::new(),
             face: Vec::new(),
+            names: reserved_names(),
             losses: Vec::new(),
         };
         for layer in mesh.layers() {
@@ -116,18 +126,17 @@ impl<'a> Plan<'a> {
     }
 
     fn push(&mut self, layer: &'a Layer, name: String, item: Scalar, shape: Shape) {
-        let columns = if layer.domain() == Domain::Vertex { &mut self.vertex } else { &mut self.face };
-        let reserved: &[&str] =
-            if layer.domain() == Domain::Vertex { &["x", "y", "z"] } else { &["vertex_indices", "vertex_index"] };
+        let element = if layer.domain() == Domain::Vertex { Domain::Vertex } else { Domain::Face };
         let is_blank = |c: char| c.is_whitespace() || c.is_control();
         let mut spelled: String = name.chars().map(|c| if is_blank(c) { '_' } else { c }).collect();
-        while spelled.is_empty() || reserved.contains(&&*spelled) || columns.iter().any(|c| c.name == spelled) {
+        while spelled.is_empty() || !self.names.insert((element, spelled.clone())) {
             spelled.push('_');
         }
         if spelled != name {
             let message = format!("property `{name}` is called `{spelled}`");
             self.losses.push(Loss::new(LossKind::Names, 1, message));
         }
+        let columns = if element == Domain::Vertex { &mut self.vertex } else { &mut self.face };
         columns.push(Column { name: spelled, layer, item, shape });
     }
 
@@ -139,20 +148,32 @@ impl<'a> Plan<'a> {
     }
 }
 
+/// The names that positions and faces have.
+fn reserved_names() -> BTreeSet<(Domain, String)> {
+    let of_vertices = ["x", "y", "z"].map(|name| (Domain::Vertex, name.to_owned()));
+    let of_faces = ["vertex_indices", "vertex_index"].map(|name| (Domain::Face, name.to_owned()));
+    of_vertices.into_iter().chain(of_faces).collect()
+}
+
 /// The names of the properties that a layer is spread over.
 fn names(mesh: &PolygonMesh, layer: &Layer) -> Vec<String> {
     let width = layer.width();
-    let prefix = format!("{} {} ", domain_name(layer.domain()), layer.name());
-    let said = mesh.metadata().iter().filter(|m| m.key == PROPERTY_NAMES).find_map(|m| {
-        let names = m.value.strip_prefix(prefix.as_bytes())?;
-        let names: Vec<String> = String::from_utf8_lossy(names).split(' ').map(str::to_owned).collect();
-        (names.len() == width).then_some(names)
-    });
     match usual(layer.name(), width) {
-        Some(usual) => said.unwrap_or_else(|| usual.members.iter().map(|&name| name.to_owned()).collect()),
+        Some(usual) => stated_names(mesh, layer)
+            .unwrap_or_else(|| usual.members.iter().map(|&name| name.to_owned()).collect()),
         None if width == 1 => vec![layer.name().to_owned()],
         None => (0..width).map(|i| format!("{}_{i}", layer.name())).collect(),
     }
+}
+
+/// The names that the file had for a layer's properties.
+fn stated_names(mesh: &PolygonMesh, layer: &Layer) -> Option<Vec<String>> {
+    let prefix = format!("{} {} ", domain_name(layer.domain()), layer.name());
+    mesh.metadata().iter().filter(|m| m.key == PROPERTY_NAMES).find_map(|m| {
+        let names = m.value.strip_prefix(prefix.as_bytes())?;
+        let names: Vec<String> = String::from_utf8_lossy(names).split(' ').map(str::to_owned).collect();
+        (names.len() == layer.width()).then_some(names)
+    })
 }
 
 /// How many corners have no value while others of their face have one.

@@ -40,7 +40,12 @@ fn read_body(
     }
     let (surplus, at) = data.surplus();
     let place = || place_of(source, header.form, at);
-    reader.parts.notes.add_many(NoteKind::SurplusData, "bytes after the data were skipped", surplus as u64, place);
+    reader.parts.notes.add_many(
+        NoteKind::SurplusData,
+        "bytes after the data were skipped",
+        surplus as u64,
+        place,
+    );
     reader.finish(header)
 }
 
@@ -67,7 +72,11 @@ impl<'a> Reader<'a> {
             "tristrips" => self.strips(element, data),
             "edge" => self.edges(element, data),
             name => {
-                self.note_skipped(&format!("element `{name}` is not understood and was skipped"), element.count, element);
+                self.note_skipped(
+                    &format!("element `{name}` is not understood and was skipped"),
+                    element.count,
+                    element,
+                );
                 skip(element, data)
             }
         }
@@ -88,15 +97,19 @@ impl<'a> Reader<'a> {
         let axes = [axis("x")?, axis("y")?, axis("z")?];
         let mut columns = Columns::new(element);
         if let Some(rows) = data.fixed_rows(element)? {
-            let offset = |column: usize| element.properties[..column].iter().map(|p| p.item.size()).sum::<usize>();
-            self.parts.positions = rows.points(axes.map(|column| (element.properties[column].item, offset(column))));
+            let sizes = element.properties.iter().map(|property| property.item.size());
+            let offsets: Vec<usize> =
+                sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size))).collect();
+            self.parts.positions =
+                rows.points(axes.map(|column| (element.properties[column].item, offsets[column])));
             for column in (0..element.properties.len()).filter(|column| !axes.contains(column)) {
-                rows.extend(&mut columns.values[column], offset(column));
+                rows.extend(&mut columns.values[column], offsets[column]);
             }
         } else {
             self.vertex_rows(element, axes, &mut columns, data)?;
         }
-        self.vertices = Some(Rows { element, columns, taken: axes.to_vec(), first: 0, corner_starts: Vec::new() });
+        let is_taken = (0..element.properties.len()).map(|column| axes.contains(&column)).collect();
+        self.vertices = Some(Rows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
         Ok(())
     }
 
@@ -146,7 +159,8 @@ impl<'a> Reader<'a> {
             }
         }
         corner_starts.push(self.parts.faces.corner_count() as u32);
-        self.faces = Some(Rows { element, columns, taken: vec![list], first, corner_starts });
+        let is_taken = (0..element.properties.len()).map(|column| column == list).collect();
+        self.faces = Some(Rows { element, columns, is_taken, first, corner_starts });
         Ok(())
     }
 
@@ -229,7 +243,11 @@ impl<'a> Reader<'a> {
     fn edges(&mut self, element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
         let end = |name: &str| element.properties.iter().position(|p| p.name == name && p.length.is_none());
         let (Some(one), Some(other)) = (end("vertex1"), end("vertex2")) else {
-            self.note_skipped("element `edge` has no `vertex1` and `vertex2` and was skipped", element.count, element);
+            self.note_skipped(
+                "element `edge` has no `vertex1` and `vertex2` and was skipped",
+                element.count,
+                element,
+            );
             return skip(element, data);
         };
         let more = element.properties.len() as u64 - 2;
@@ -274,7 +292,8 @@ impl<'a> Reader<'a> {
         if let Some(faces) = self.faces.take() {
             face_layers(faces, &mut self.parts);
         }
-        let (mesh, notes) = self.parts.assemble(self.source, 0, |at| place_of(self.source, header.form, at))?;
+        let (mesh, notes) =
+            self.parts.assemble(self.source, 0, |at| place_of(self.source, header.form, at))?;
         let variant = match header.form {
             Form::Ascii => "ply-ascii",
             Form::LittleEndian => "ply-le",

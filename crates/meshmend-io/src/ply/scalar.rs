@@ -29,7 +29,9 @@ const TYPES: [(Scalar, &str, &str, usize); 8] = [
 
 impl Scalar {
     pub(super) fn from_name(name: &[u8]) -> Option<Scalar> {
-        let is_named = |(_, old, new, _): &&(Scalar, &str, &str, usize)| name == old.as_bytes() || name == new.as_bytes();
+        let is_named = |(_, old, new, _): &&(Scalar, &str, &str, usize)| {
+            name == old.as_bytes() || name == new.as_bytes()
+        };
         TYPES.iter().find(is_named).map(|&(scalar, ..)| scalar)
     }
 
@@ -91,7 +93,7 @@ impl Scalar {
     pub(super) fn counting(most: usize) -> Scalar {
         match most {
             0..=0xff => Scalar::U8,
-            0..=0xffff => Scalar::U16,
+            0x100..=0xffff => Scalar::U16,
             _ => Scalar::U32,
         }
     }

@@ -68,7 +68,8 @@ fn point(bytes: &[u8]) -> [f64; 3] {
 /// The two bytes that end each facet, if any of them is not 0.
 fn attributes(facets: &[u8]) -> Option<Layer> {
     let of_facet = |facet: &[u8]| little_endian(&facet[FACET - 2..]) as u16;
-    let values: Vec<u16> = facets.chunks_exact(FACET).map(of_facet).collect();
-    let is_used = values.iter().any(|&value| value != 0);
-    is_used.then(|| Layer::direct("attribute", Domain::Face, 1, Carry::Copy, Values::U16(values)))
+    let values = || facets.chunks_exact(FACET).map(of_facet);
+    let is_used = values().any(|value| value != 0);
+    let layer = || Layer::direct("attribute", Domain::Face, 1, Carry::Copy, Values::U16(values().collect()));
+    is_used.then(layer)
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use crate::assemble::Parts;
 use crate::read::{Parsed, Source};
 use crate::stl::SOLID;
-use crate::text::{self, is_space};
+use crate::text::{self, is_blank, is_space};
 use crate::{Limits, NoteKind, Place, ReadError};
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
@@ -59,21 +59,39 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// The rest of the line, or what stands before `facet` in it.
+    /// The rest of the line, or what stands before `facet` or `endsolid` in it.
     fn name(&mut self) -> &'a [u8] {
-        let end = text::line_end(self.source.bytes, self.at);
-        let line = &self.source.bytes[self.at..end];
-        let length = word_place(line, &["facet", "endsolid"]).unwrap_or(line.len());
-        self.at += length;
-        text::trimmed(&line[..length])
+        let start = self.at;
+        while let Some(word) = self.next_in_line() {
+            if word.eq_ignore_ascii_case(b"facet") || word.eq_ignore_ascii_case(b"endsolid") {
+                break;
+            }
+            self.at += word.len();
+        }
+        text::trimmed(&self.source.bytes[start..self.at])
     }
 
-    /// The rest of the line, or what stands before the next solid in it.
+    /// Passes over the rest of the line, or to the next solid in it if that has a facet in the same line.
     fn pass_end_name(&mut self) {
-        let end = text::line_end(self.source.bytes, self.at);
-        let line = &self.source.bytes[self.at..end];
-        let next_solid = word_place(line, &["facet"]).and_then(|facet| word_place(&line[..facet], &["solid"]));
-        self.at += next_solid.unwrap_or(line.len());
+        let mut next_solid = None;
+        while let Some(word) = self.next_in_line() {
+            if word.eq_ignore_ascii_case(b"solid") {
+                next_solid = next_solid.or(Some(self.at));
+            }
+            if let (true, Some(solid)) = (word.eq_ignore_ascii_case(b"facet"), next_solid) {
+                self.at = solid;
+                return;
+            }
+            self.at += word.len();
+        }
+    }
+
+    /// Goes to the next word of the line; at its end there is none.
+    fn next_in_line(&mut self) -> Option<&'a [u8]> {
+        let bytes = &self.source.bytes[self.at..];
+        self.at += bytes.iter().position(|&b| !is_blank(b)).unwrap_or(bytes.len());
+        let word = text::word(self.source.bytes, self.at);
+        (!word.is_empty()).then_some(word)
     }
 
     fn facet(&mut self, start: usize) -> Result<(), ReadError> {
@@ -100,15 +118,13 @@ impl<'a> Reader<'a> {
     /// `normal` and its numbers, whatever they are: they are not used. Ends after `outer`.
     fn pass_normal(&mut self) -> Result<(), ReadError> {
         const MOST_WORDS: usize = 4;
-        for _ in 0..=MOST_WORDS {
+        for _ in 0..MOST_WORDS {
             if self.accept("outer") {
                 return Ok(());
             }
-            let start = self.next();
-            self.at += text::word(self.source.bytes, start).len();
+            self.at += text::word(self.source.bytes, self.at).len();
         }
-        self.at = self.next();
-        Err(self.unexpected("`outer`"))
+        self.expect("outer")
     }
 
     fn coordinate(&mut self) -> Result<f64, ReadError> {
@@ -137,8 +153,9 @@ impl<'a> Reader<'a> {
     fn accept(&mut self, word: &str) -> bool {
         let start = self.next();
         let bytes = &self.source.bytes[start..];
-        let is_word = bytes.get(..word.len()).is_some_and(|found| found.eq_ignore_ascii_case(word.as_bytes()))
-            && bytes.get(word.len()).is_none_or(|&b| is_space(b));
+        let is_word =
+            bytes.get(..word.len()).is_some_and(|found| found.eq_ignore_ascii_case(word.as_bytes()))
+                && bytes.get(word.len()).is_none_or(|&b| is_space(b));
         if is_word {
             self.at += word.len();
         }
@@ -208,17 +225,4 @@ fn objects(solids: &[(usize, &[u8])], faces: usize) -> Layer {
         uses[first..end].fill(value);
     }
     Layer::indexed("object", Domain::Face, 1, Carry::Copy, Values::Text(pool), uses)
-}
-
-/// Where the first of some words stands in a line.
-fn word_place(line: &[u8], words: &[&str]) -> Option<usize> {
-    let mut at = 0;
-    while at < line.len() {
-        let word = text::word(line, at);
-        if words.iter().any(|known| word.eq_ignore_ascii_case(known.as_bytes())) {
-            return Some(at);
-        }
-        at += word.len() + 1;
-    }
-    None
 }

@@ -109,9 +109,11 @@ fn solid_name(name: &[u8]) -> Vec<u8> {
     let safe = |b: &u8| if matches!(b, b'\n' | b'\r' | 0) { b' ' } else { *b };
     let line: Vec<u8> = name.iter().map(safe).collect();
     let mut spelled = trimmed(&line).to_vec();
-    for word in ["facet", "endsolid"] {
-        while let Some(at) = spelled.windows(word.len()).position(|w| w.eq_ignore_ascii_case(word.as_bytes())) {
-            spelled[at] = b'_';
+    for word in [&b"facet"[..], b"endsolid"] {
+        for at in 0..spelled.len().saturating_sub(word.len() - 1) {
+            if spelled[at..at + word.len()].eq_ignore_ascii_case(word) {
+                spelled[at] = b'_';
+            }
         }
     }
     spelled
@@ -172,7 +174,8 @@ fn object_layer(mesh: &PolygonMesh) -> Option<(&Layer, &[Vec<u8>])> {
 
 pub(super) fn losses(mesh: &PolygonMesh, encoding: Encoding) -> Vec<Loss> {
     let is_text = encoding == Encoding::Ascii;
-    let written = if is_text { object_layer(mesh).map(|(l, _)| l) } else { attribute_layer(mesh).map(|(l, _)| l) };
+    let written =
+        if is_text { object_layer(mesh).map(|(l, _)| l) } else { attribute_layer(mesh).map(|(l, _)| l) };
     let mut losses = geometry_losses(mesh);
     losses.extend(layer_losses(mesh, written.as_slice()));
     losses.extend(loose_losses(mesh));
@@ -221,7 +224,9 @@ fn geometry_losses(mesh: &PolygonMesh) -> Vec<Loss> {
             format!("positions rounded to single precision: {n} of {total}")
         }),
         Loss::if_any(LossKind::SharedVertices, coincident(positions()), |n| {
-            format!("that {n} vertices are not those at the same point: without indices they become one again")
+            format!(
+                "that {n} vertices are not those at the same point: without indices they become one again"
+            )
         }),
     ]
     .into_iter()

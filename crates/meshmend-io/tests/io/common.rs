@@ -2,25 +2,25 @@
 
 use meshmend_core::{Domain, Layer, PolygonMesh, Values};
 use meshmend_io::{
-    Encoding, Format, Loss, Note, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions, WriteOptions,
-    encode, read_bytes,
+    Encoding, Format, Loss, Note, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions,
+    WriteOptions, encode, read_bytes,
 };
 
 /// Reads bytes as a format.
-pub fn try_read(format: Format, bytes: impl AsRef<[u8]>) -> Result<ReadFile, ReadError> {
+pub(crate) fn try_read(format: Format, bytes: impl AsRef<[u8]>) -> Result<ReadFile, ReadError> {
     let options = ReadOptions { format: Some(format), ..ReadOptions::default() };
     read_bytes(bytes.as_ref(), "test", &options)
 }
 
 /// Reads bytes that have to be well formed.
 #[track_caller]
-pub fn read(format: Format, bytes: impl AsRef<[u8]>) -> ReadFile {
+pub(crate) fn read(format: Format, bytes: impl AsRef<[u8]>) -> ReadFile {
     try_read(format, bytes).unwrap()
 }
 
 /// The place and the reason of malformed bytes.
 #[track_caller]
-pub fn refused(format: Format, bytes: impl AsRef<[u8]>) -> (Place, String) {
+pub(crate) fn refused(format: Format, bytes: impl AsRef<[u8]>) -> (Place, String) {
     let error = try_read(format, bytes).unwrap_err();
     match error.kind {
         ReadErrorKind::Malformed(reason) => (error.place, reason),
@@ -30,7 +30,7 @@ pub fn refused(format: Format, bytes: impl AsRef<[u8]>) -> (Place, String) {
 
 /// What is written, and what is lost.
 #[track_caller]
-pub fn written(mesh: &PolygonMesh, format: Format, encoding: Encoding) -> (Vec<u8>, Vec<Loss>) {
+pub(crate) fn written(mesh: &PolygonMesh, format: Format, encoding: Encoding) -> (Vec<u8>, Vec<Loss>) {
     let mut bytes = Vec::new();
     let losses = encode(mesh, &WriteOptions::of(format).with_encoding(encoding), &mut bytes).unwrap();
     (bytes, losses)
@@ -38,7 +38,7 @@ pub fn written(mesh: &PolygonMesh, format: Format, encoding: Encoding) -> (Vec<u
 
 /// Writes and reads again, and asserts that nothing is lost or changed.
 #[track_caller]
-pub fn assert_kept(mesh: &PolygonMesh, format: Format, encoding: Encoding) {
+pub(crate) fn assert_kept(mesh: &PolygonMesh, format: Format, encoding: Encoding) {
     let (bytes, losses) = written(mesh, format, encoding);
     assert_eq!(losses, [], "{}", String::from_utf8_lossy(&bytes));
     let again = read(format, &bytes).mesh;
@@ -51,19 +51,19 @@ pub fn assert_kept(mesh: &PolygonMesh, format: Format, encoding: Encoding) {
 }
 
 /// The faces as lists of vertex numbers.
-pub fn faces(mesh: &PolygonMesh) -> Vec<Vec<u32>> {
+pub(crate) fn faces(mesh: &PolygonMesh) -> Vec<Vec<u32>> {
     let table = mesh.faces();
     table.faces().map(|face| table.face_vertices(face).iter().map(|v| v.0).collect()).collect()
 }
 
 /// The layer of a name.
 #[track_caller]
-pub fn layer<'a>(mesh: &'a PolygonMesh, name: &str, domain: Domain) -> &'a Layer {
+pub(crate) fn layer<'a>(mesh: &'a PolygonMesh, name: &str, domain: Domain) -> &'a Layer {
     mesh.layer(name, domain).unwrap_or_else(|| panic!("no layer `{name}`"))
 }
 
 /// The names that a layer of names gives to its elements.
-pub fn names(layer: &Layer) -> Vec<Option<String>> {
+pub(crate) fn names(layer: &Layer) -> Vec<Option<String>> {
     let Values::Text(pool) = layer.values() else { panic!("no names") };
     let name = |value: usize| String::from_utf8_lossy(&pool[value]).into_owned();
     (0..layer.element_count()).map(|element| layer.value_of(element).map(name)).collect()
@@ -71,7 +71,7 @@ pub fn names(layer: &Layer) -> Vec<Option<String>> {
 
 /// The only note of a kind.
 #[track_caller]
-pub fn note(file: &ReadFile, kind: NoteKind) -> &Note {
+pub(crate) fn note(file: &ReadFile, kind: NoteKind) -> &Note {
     let mut of_kind = file.notes.iter().filter(|note| note.kind == kind);
     let note = of_kind.next().unwrap_or_else(|| panic!("no note {kind:?} in {:?}", file.notes));
     assert_eq!(of_kind.next(), None);

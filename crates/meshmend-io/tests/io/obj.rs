@@ -1,14 +1,14 @@
 //! What the OBJ reader and writer promise.
 
-#![allow(missing_docs)]
-
-mod common;
-
 use std::time::{Duration, Instant};
 
-use common::{assert_kept, faces, layer, names, note, read as read_as, refused as refused_as, written};
+use crate::common::{
+    assert_kept, faces, layer, names, note, read as read_as, refused as refused_as, written,
+};
 use meshmend_core::{Carry, Domain, FaceTable, Layer, Metadata, PolygonMesh, Values, VertexId};
-use meshmend_io::{Encoding, Format, Limits, LossKind, NoteKind, Place, ReadErrorKind, ReadFile, ReadOptions, read_bytes};
+use meshmend_io::{
+    Encoding, Format, Limits, LossKind, NoteKind, Place, ReadErrorKind, ReadFile, ReadOptions, read_bytes,
+};
 
 fn read(text: impl AsRef<[u8]>) -> ReadFile {
     read_as(Format::Obj, text)
@@ -40,7 +40,8 @@ fn every_line_end_continuation_and_a_byte_order_mark_are_read() {
     let lines = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "f 1 2 3"];
     for end in ["\n", "\r\n", "\r"] {
         assert_eq!(faces(&read(lines.join(end)).mesh), [[0, 1, 2]], "{end:?}");
-        let continued = format!("\u{feff}v 0 0 \\{end}0{end}v 1 0 0{end}v 0 1 0{end}f 1 \\{end} 2 \\{end}3{end}");
+        let continued =
+            format!("\u{feff}v 0 0 \\{end}0{end}v 1 0 0{end}v 0 1 0{end}f 1 \\{end} 2 \\{end}3{end}");
         assert_eq!(faces(&read(continued).mesh), [[0, 1, 2]], "{end:?}");
     }
 }
@@ -220,7 +221,8 @@ fn positions_are_written_in_the_fewest_digits_that_keep_every_bit() {
     let mesh = PolygonMesh::new(positions, FaceTable::empty(2)).unwrap();
     let (bytes, _) = written(&mesh, Format::Obj, Encoding::Ascii);
     let again = read(&bytes).mesh;
-    let bits = |mesh: &PolygonMesh| mesh.positions().iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>();
+    let bits =
+        |mesh: &PolygonMesh| mesh.positions().iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(&again), bits(&mesh));
     assert!(bytes.starts_with(b"v 0.1 -0 "));
 }
@@ -235,7 +237,8 @@ fn what_is_no_obj_is_refused() {
 #[test]
 fn limits_are_kept() {
     let text = format!("{TRIANGLE}f 1 2 3\nf 1 2 3\n");
-    let with = |limits| read_bytes(text.as_bytes(), "t.obj", &ReadOptions { limits, format: None }).unwrap_err();
+    let with =
+        |limits| read_bytes(text.as_bytes(), "t.obj", &ReadOptions { limits, format: None }).unwrap_err();
     let limits = [
         ("bytes", Limits { max_file_bytes: 10, ..Limits::default() }),
         ("vertices", Limits { max_vertices: 2, ..Limits::default() }),
@@ -243,7 +246,10 @@ fn limits_are_kept() {
         ("corners", Limits { max_corners: 5, ..Limits::default() }),
     ];
     for (name, limits) in limits {
-        assert!(matches!(with(limits).kind, ReadErrorKind::LimitExceeded { what, .. } if what == name), "{name}");
+        assert!(
+            matches!(with(limits).kind, ReadErrorKind::LimitExceeded { what, .. } if what == name),
+            "{name}"
+        );
     }
     let limits = Limits { max_comments: 1, ..Limits::default() };
     let file = read_bytes(b"#a\n#b\n#c\nv 0 0 0\n", "t.obj", &ReadOptions { limits, format: None }).unwrap();
@@ -254,11 +260,20 @@ fn limits_are_kept() {
 fn what_obj_can_not_carry_is_named() {
     let mesh = read(format!("{TRIANGLE}f 1 2 3\n")).mesh;
     let quality = Layer::direct("quality", Domain::Vertex, 1, Carry::Copy, Values::F32(vec![0.0; 3]));
-    let color = Layer::direct("color", Domain::Vertex, 3, Carry::Copy, Values::U8(vec![0, 51, 255, 0, 0, 0, 0, 0, 0]));
+    let color = Layer::direct(
+        "color",
+        Domain::Vertex,
+        3,
+        Carry::Copy,
+        Values::U8(vec![0, 51, 255, 0, 0, 0, 0, 0, 0]),
+    );
     let mesh = mesh.with_layers(vec![quality, color]).unwrap();
     let (bytes, losses) = written(&mesh, Format::Obj, Encoding::Ascii);
     let messages: Vec<&str> = losses.iter().map(|loss| &loss.message[..]).collect();
-    assert_eq!(messages, ["vertex attribute `quality` of 3 vertices", "colours of 3 vertices become fractions of 255"]);
+    assert_eq!(
+        messages,
+        ["vertex attribute `quality` of 3 vertices", "colours of 3 vertices become fractions of 255"]
+    );
     assert!(bytes.starts_with(b"v 0 0 0 0 0.2 1\n"));
 }
 
@@ -274,10 +289,13 @@ fn a_million_groups_take_two_seconds_at_most() {
 
 #[test]
 fn tobj_reads_what_is_written() {
-    let text = format!("{TRIANGLE}v 1 1 0\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nf 1/1/1 2/2/1 4/1/1 3/2/1\nf 1/1/1 3/1/1 2/1/1\n");
+    let text = format!(
+        "{TRIANGLE}v 1 1 0\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nf 1/1/1 2/2/1 4/1/1 3/2/1\nf 1/1/1 3/1/1 2/1/1\n"
+    );
     let (bytes, _) = written(&read(text).mesh, Format::Obj, Encoding::Ascii);
     let no_materials = |_: &std::path::Path| Err(tobj::LoadError::OpenFileFailed);
-    let (models, _) = tobj::load_obj_buf(&mut &bytes[..], &tobj::LoadOptions::default(), no_materials).unwrap();
+    let (models, _) =
+        tobj::load_obj_buf(&mut &bytes[..], &tobj::LoadOptions::default(), no_materials).unwrap();
     let mesh = &models[0].mesh;
     assert_eq!(mesh.face_arities, [4, 3]);
     assert_eq!(mesh.indices, [0, 1, 2, 3, 0, 3, 1]);

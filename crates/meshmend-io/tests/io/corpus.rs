@@ -61,8 +61,14 @@ fn well_formed_files_hold_what_the_manifest_says() {
         match read(&corpus.join(path), &ReadOptions::default()) {
             Err(error) => wrong.push(error.to_string()),
             Ok(file) => {
-                if stored(&file.mesh) != expected(entry) || file.variant != entry["format"].as_str().unwrap() {
-                    wrong.push(format!("{path}: {} {:?}, not {:?}", file.variant, stored(&file.mesh), expected(entry)));
+                if stored(&file.mesh) != expected(entry) || file.variant != entry["format"].as_str().unwrap()
+                {
+                    wrong.push(format!(
+                        "{path}: {} {:?}, not {:?}",
+                        file.variant,
+                        stored(&file.mesh),
+                        expected(entry)
+                    ));
                 }
             }
         }
@@ -178,7 +184,11 @@ fn every_format_carries_faces_and_positions_of_every_file() {
                 let again = rewritten(&file.mesh, format, encoding);
                 assert_eq!(again.mesh.faces(), file.mesh.faces(), "{path} as {format} {encoding}");
                 let bits = |mesh: &PolygonMesh| -> Vec<u64> {
-                    mesh.positions().iter().flatten().map(|x| if x.is_nan() { 1 } else { x.to_bits() }).collect()
+                    mesh.positions()
+                        .iter()
+                        .flatten()
+                        .map(|x| if x.is_nan() { 1 } else { x.to_bits() })
+                        .collect()
                 };
                 assert_eq!(bits(&again.mesh), bits(&file.mesh), "{path} as {format} {encoding}");
             }

@@ -1,0 +1,39 @@
+//! `meshmend explain`: the words of reports, in sentences.
+
+use clap::Args;
+use meshmend::{DefectKind, KernelKind, PassKind};
+
+use crate::console::Console;
+use crate::failure::{Failure, Status};
+use crate::render;
+
+/// Explain a kind of defect, a pass or a kernel; without a name, list them all
+#[derive(Debug, Args)]
+pub(crate) struct Explain {
+    /// The name, as it stands in reports
+    #[arg(value_name = "NAME")]
+    name: Option<String>,
+}
+
+impl Explain {
+    pub(crate) fn run(self) -> Result<Status, Failure> {
+        let style = Console::style();
+        let text = match self.name.as_deref() {
+            None => render::glossary(style),
+            Some(name) => entry(name)
+                .map(|(heading, text)| render::explanation(&heading, text, style))
+                .ok_or_else(|| Failure::usage(format!("`{name}` is no defect, pass or kernel; `meshmend explain` lists them")))?,
+        };
+        Console::open().write(&text)?;
+        Ok(Status::Done)
+    }
+}
+
+/// A heading and an explanation.
+fn entry(name: &str) -> Option<(String, &'static str)> {
+    let defect = DefectKind::from_code(name).map(|kind| (render::defect_heading(kind), kind.explanation()));
+    let pass = || PassKind::from_name(name).map(|pass| (format!("{pass}: a pass"), pass.explanation()));
+    let kernel =
+        || KernelKind::from_name(name).map(|kernel| (format!("{kernel}: a kernel"), kernel.explanation()));
+    defect.or_else(pass).or_else(kernel)
+}

@@ -1,0 +1,208 @@
+//! `meshmend repair`: mends a mesh, and names all that it did.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use meshmend::io::replace_file;
+use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
+use meshmend::{
+    CheckOptions, CheckReport, KernelKind, PolygonMesh, ReadFile, Repaired, View, WriteOptions, check,
+};
+
+use super::check::json_line;
+use super::{name, read};
+use crate::console::Console;
+use crate::failure::{Failure, Status};
+use crate::policies::Policies;
+use crate::progress::Progress;
+use crate::render;
+use crate::words::{self, OutputWords};
+
+/// Mend a mesh: make it manifold, consistently oriented and free of rubbish, and name all that was done
+///
+/// No face is removed that is not degenerate, non-finite or there twice. The output appears whole or not at all.
+#[derive(Debug, Args)]
+pub(crate) struct Repair {
+    /// The mesh file: OBJ, PLY, STL or OFF
+    #[arg(value_name = "IN")]
+    input: PathBuf,
+    /// The file to write; it may be the input
+    #[arg(short, long, value_name = "OUT", required_unless_present = "dry_run")]
+    output: Option<PathBuf>,
+    /// Write no mesh; report what would be done
+    #[arg(long)]
+    dry_run: bool,
+    /// Also write the JSON report to a file
+    #[arg(long, value_name = "FILE.json")]
+    report: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+    /// Put into the JSON report where each vertex and face of the result came from
+    #[arg(long)]
+    report_maps: bool,
+    /// Print one line, and do not look at the mesh before
+    #[arg(short, long, visible_alias = "no-report")]
+    quiet: bool,
+    /// The structure to compute on; the result is the same, unless it can't hold the mesh
+    #[arg(long, default_value = "edge-use", value_parser = words::kernel)]
+    kernel: KernelKind,
+    /// How many items each list of the report shows at most, also in JSON; counts are always whole
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    limit: usize,
+    #[command(flatten)]
+    words: OutputWords,
+    #[command(flatten)]
+    policies: Policies,
+}
+
+/// A file to write, and how.
+struct Target<'a> {
+    path: &'a Path,
+    options: WriteOptions,
+}
+
+impl Repair {
+    pub(crate) fn run(self) -> Result<Status, Failure> {
+        let pipeline = self.policies.plan()?.pipeline().on_kernel(self.kernel);
+        let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
+        let target = self.target()?;
+        self.check_report_options()?;
+
+        let progress = Progress::in_steps(pipeline.passes().len() + 4);
+        progress.step("read");
+        let file = read(&self.input)?;
+        let failed = |error| Failure::of_pass(&name(&self.input), &error);
+        progress.step("check");
+        let before = if self.quiet { None } else { Some(self.before(&file)?) };
+        let run = pipeline.run_watched(&file.mesh, None, |pass| progress.step(pass.name()));
+        let mut repaired = run.map_err(failed)?;
+        progress.step("report");
+        let mut document = RepairDocument::new(&file.mesh, &repaired, self.limit);
+        document.file = Some(name(&self.input));
+        document.before = before;
+        document.notes = file.notes;
+        document.provenance = self.report_maps.then(|| ProvenanceDocument::new(&repaired.provenance));
+        if !self.quiet || self.makes_json() {
+            document.after = Some(self.after(&mut repaired)?);
+        }
+        progress.step("write");
+        self.write(&repaired.mesh, target.as_ref(), &mut document)?;
+        drop(progress);
+        Console::open().write(&self.text(&document)?)?;
+        Ok(Status::Done)
+    }
+
+    fn target(&self) -> Result<Option<Target<'_>>, Failure> {
+        let Some(path) = self.output.as_deref() else { return Ok(None) };
+        Ok(Some(Target { path, options: self.words.options(path)? }))
+    }
+
+    fn makes_json(&self) -> bool {
+        self.json || self.report.is_some()
+    }
+
+    /// Fails when options about the report contradict the others.
+    fn check_report_options(&self) -> Result<(), Failure> {
+        if self.report_maps && !self.makes_json() {
+            return Err(Failure::usage("--report-maps needs --json or --report"));
+        }
+        let Some(report) = self.report.as_deref() else { return Ok(()) };
+        let mut meshes = std::iter::once(&self.input).chain(&self.output);
+        match meshes.find(|mesh| is_same_file(mesh, report)) {
+            Some(mesh) => Err(Failure::usage(format!("--report would overwrite {}", mesh.display()))),
+            None => Ok(()),
+        }
+    }
+
+    fn before(&self, file: &ReadFile) -> Result<CheckDocument, Failure> {
+        let options = CheckOptions { view: View::usual_for(file.format), ..CheckOptions::default() };
+        let report =
+            check(&file.mesh, &options).map_err(|error| Failure::of_pass(&name(&self.input), &error))?;
+        Ok(CheckDocument::new(report, self.limit).of_file(name(&self.input), file))
+    }
+
+    /// The state after: what `recompute` found, or a check where the plan leaves that out.
+    fn after(&self, repaired: &mut Repaired) -> Result<CheckDocument, Failure> {
+        let report = match repaired.report.take() {
+            Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology),
+            None => check(&repaired.mesh, &CheckOptions::default())
+                .map_err(|error| Failure::of_pass(&name(&self.input), &error))?,
+        };
+        Ok(CheckDocument::new(report, self.limit))
+    }
+
+    /// Writes the mesh and the report, or in a dry run the report alone. The report is begun first and takes its
+    /// place last, so that there is no report on a mesh that was not written.
+    fn write(
+        &self,
+        mesh: &PolygonMesh,
+        target: Option<&Target<'_>>,
+        document: &mut RepairDocument,
+    ) -> Result<(), Failure> {
+        let Some(report) = &self.report else { return self.write_mesh(mesh, target, document) };
+        let written = replace_file(report, |out| -> Result<(), Interrupted> {
+            self.write_mesh(mesh, target, document).map_err(Interrupted::Mesh)?;
+            let text = json_line(document).map_err(Interrupted::Mesh)?;
+            Ok(out.write_all(text.as_bytes())?)
+        });
+        written.map_err(|interrupted| match interrupted {
+            Interrupted::Mesh(failure) => failure,
+            Interrupted::Report(error) => Failure::unwritable(&name(report), error),
+        })
+    }
+
+    fn write_mesh(
+        &self,
+        mesh: &PolygonMesh,
+        target: Option<&Target<'_>>,
+        document: &mut RepairDocument,
+    ) -> Result<(), Failure> {
+        let Some(Target { path, options }) = target else { return Ok(()) };
+        if self.dry_run {
+            document.losses = meshmend::io::losses(mesh, options);
+            return Ok(());
+        }
+        document.losses = meshmend::write(path, mesh, options)?;
+        document.output = Some(name(path));
+        if let Some(after) = &mut document.after {
+            (after.file, after.format) = (document.output.clone(), words::variant(options));
+        }
+        Ok(())
+    }
+
+    fn text(&self, document: &RepairDocument) -> Result<String, Failure> {
+        if self.json {
+            json_line(document)
+        } else if self.quiet {
+            Ok(render::summary(document))
+        } else {
+            Ok(render::repair(document, Console::style()))
+        }
+    }
+}
+
+/// What went wrong while a report was written.
+enum Interrupted {
+    Mesh(Failure),
+    Report(io::Error),
+}
+
+impl From<io::Error> for Interrupted {
+    fn from(error: io::Error) -> Self {
+        Interrupted::Report(error)
+    }
+}
+
+/// Whether two names lead to one file, as far as can be told.
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    let whole = |path: &Path| {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        path.canonicalize().or_else(|_| folder.canonicalize().map(|folder| match path.file_name() {
+            Some(name) => folder.join(name),
+            None => folder,
+        }))
+    };
+    one == other || matches!((whole(one), whole(other)), (Ok(one), Ok(other)) if one == other)
+}

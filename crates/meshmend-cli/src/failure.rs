@@ -1,0 +1,119 @@
+//! Why a command ends without having done its work, and with which exit status.
+
+use std::fmt;
+use std::process::ExitCode;
+
+use meshmend::io::{Place, WriteErrorKind};
+use meshmend::{PassError, ReadError, WriteError};
+
+/// How a command ended. Of several pieces of work the worst counts: see [`Status::and`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Status {
+    /// The work is done.
+    Done = 0,
+    /// A check found defects, or what `--fail-on` names.
+    DefectsFound = 1,
+    /// The command line, a plan or a format is wrong.
+    Usage = 2,
+    /// An input can't be read.
+    Unreadable = 3,
+    /// An output can't be written.
+    Unwritable = 4,
+    /// A policy says `fail`, or the kernel can't hold the mesh.
+    Refused = 5,
+}
+
+impl Status {
+    /// The status of two pieces of work together.
+    pub(crate) fn and(self, other: Status) -> Status {
+        if other.rank() > self.rank() { other } else { self }
+    }
+
+    fn rank(self) -> u8 {
+        match self {
+            Status::Done => 0,
+            Status::DefectsFound => 1,
+            Status::Refused => 2,
+            Status::Unreadable => 3,
+            Status::Unwritable => 4,
+            Status::Usage => 5,
+        }
+    }
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> ExitCode {
+        ExitCode::from(status as u8)
+    }
+}
+
+/// Why a command ends without having done its work.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    /// The exit status.
+    pub(crate) status: Status,
+    /// The message, without the program's name.
+    pub(crate) message: String,
+}
+
+impl Failure {
+    pub(crate) fn usage(message: impl Into<String>) -> Self {
+        Failure { status: Status::Usage, message: message.into() }
+    }
+
+    pub(crate) fn unwritable(what: &str, error: impl fmt::Display) -> Self {
+        Failure { status: Status::Unwritable, message: format!("{what}: {error}") }
+    }
+
+    /// Why a pass gave no mesh, for the mesh of a file.
+    pub(crate) fn of_pass(file: &str, error: &PassError) -> Self {
+        let status = match error {
+            PassError::Request { .. } => Status::Usage,
+            _ => Status::Refused,
+        };
+        Failure { status, message: format!("{file}: {error}") }
+    }
+}
+
+impl From<ReadError> for Failure {
+    /// Shown as editors like it: `file:line: reason`.
+    fn from(error: ReadError) -> Self {
+        let ReadError { file, place, kind } = error;
+        let message = match place {
+            Place::File => format!("{file}: {kind}"),
+            Place::Line(line) => format!("{file}:{line}: {kind}"),
+            Place::Byte(byte) => format!("{file}: byte {byte}: {kind}"),
+        };
+        Failure { status: Status::Unreadable, message }
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        let status = match error.kind {
+            WriteErrorKind::UnknownFormat | WriteErrorKind::NoSuchEncoding { .. } => Status::Usage,
+            _ => Status::Unwritable,
+        };
+        Failure { status, message: error.to_string() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unreadable_file_outranks_defects() {
+        assert_eq!(Status::DefectsFound.and(Status::Unreadable), Status::Unreadable);
+        assert_eq!(Status::Unreadable.and(Status::DefectsFound), Status::Unreadable);
+        assert_eq!(Status::Done.and(Status::Done), Status::Done);
+    }
+
+    #[test]
+    fn errors_in_text_files_are_shown_as_file_and_line() {
+        let error = meshmend::read_bytes(b"v 0 0 x\n", "a.obj", &Default::default()).unwrap_err();
+        let failure = Failure::from(error);
+        assert!(failure.message.starts_with("a.obj:1: "), "{}", failure.message);
+        assert_eq!(failure.status, Status::Unreadable);
+    }
+}

@@ -1,0 +1,219 @@
+//! What a check found.
+
+use meshmend::report::{CheckDocument, DefectGroup, PlacedDefect};
+use meshmend::topology::{ComponentKind, Reason, TopologyReport};
+use meshmend::{DefectKind, Distance, Severity};
+
+use super::table::{self, Align};
+use super::{ABSENT, Style, figure, kinds_with_counts, paragraph, printable, yes_no};
+
+/// How many points of a face are shown.
+const MOST_POINTS: usize = 4;
+
+/// The report on one mesh.
+pub(crate) fn check(document: &CheckDocument, style: Style) -> String {
+    let mut page = heading(document, style);
+    page.push_str(&paragraph(&style.heading("figures"), figures(&document.topology)));
+    page.push_str(&paragraph(&style.heading("verdicts"), verdicts(&document.topology, style)));
+    page.push_str(&paragraph(&style.heading("components"), components(document)));
+    page.push_str(&paragraph(&style.heading("what is wrong"), defects(document, Severity::Defect)));
+    page.push_str(&paragraph(&style.heading("worth knowing"), defects(document, Severity::Note)));
+    page.push_str(&paragraph(&style.heading("kernels"), kernels(document)));
+    let notes = document.notes.iter().map(|note| printable(&note.to_string()));
+    page.push_str(&paragraph(&style.heading("notes of the reader"), notes));
+    page
+}
+
+fn heading(document: &CheckDocument, style: Style) -> String {
+    let stored = &document.stored;
+    let mut counts = format!("{} vertices, {} faces", stored.vertices, stored.faces);
+    if stored.loose_edges > 0 {
+        counts.push_str(&format!(", {} loose edges", stored.loose_edges));
+    }
+    if stored.loose_points > 0 {
+        counts.push_str(&format!(", {} loose points", stored.loose_points));
+    }
+    let name = printable(document.file.as_deref().unwrap_or("mesh"));
+    let wrong = document.defects.iter().filter(|group| group.severity == Severity::Defect);
+    let verdict = match wrong.clone().count() {
+        0 if document.topology.faces == 0 => "there are no faces, and nothing is wrong".to_owned(),
+        0 => style.good("nothing is wrong"),
+        _ => style.bad(&kinds_with_counts(wrong.map(|group| (group.kind, group.count)))),
+    };
+    let format = document.format.unwrap_or("in memory");
+    format!("{}: {format}, {counts}\n{}\n{verdict}\n", style.heading(&name), view(document))
+}
+
+fn view(document: &CheckDocument) -> String {
+    let joined = document.group(DefectKind::CoincidentVertex).map_or(0, |group| group.count);
+    match document.weld {
+        None if joined > 0 => {
+            format!("judged as stored; exact welding would join {joined} vertices to others (--weld exact)")
+        }
+        None => "judged as stored; exact welding would join nothing".to_owned(),
+        Some(Distance::Exact) => "judged as welded: vertices at the same position are one".to_owned(),
+        Some(Distance::Absolute(length)) => format!("judged as welded: vertices within {length} are one"),
+        Some(Distance::Relative(part)) => {
+            format!("judged as welded: vertices within {part} of the bounding box's diagonal are one")
+        }
+    }
+}
+
+/// The figures with what explains them.
+fn figures(report: &TopologyReport) -> Vec<String> {
+    let row = |label: &str, value: String, remark: String| vec![label.to_owned(), value, remark];
+    let betti = |numbers: Option<[u64; 3]>| figure(numbers.map(|[a, b, c]| format!("{a} {b} {c}")));
+    let why = |name: &str| report.undefined.iter().find(|u| u.figure == name).map_or(String::new(), |u| reason(u.reason).to_owned());
+    let edges = format!(
+        "{} interior, {} boundary, {} non-manifold",
+        report.interior_edges, report.boundary_edges, report.non_manifold_edges
+    );
+    let rows = [
+        row("vertices", report.vertices.to_string(), beside(report.unreferenced_vertices, "in no face")),
+        row("edges", report.edges.to_string(), edges),
+        row("faces", report.faces.to_string(), beside(report.degenerate_faces, "degenerate")),
+        row("Euler characteristic", report.euler_characteristic.to_string(), "vertices − edges + faces".into()),
+        row("components", report.components.to_string(), String::new()),
+        row("patches", report.patches.to_string(), beside_of(report.non_orientable_patches, "not orientable")),
+        row("boundary loops", figure(report.boundary_loops), why("boundary_loops")),
+        row("genus", figure(report.genus), why("genus")),
+        row("cross-caps", figure(report.cross_caps), why("cross_caps")),
+        row("Betti numbers mod 2", betti(report.betti.z2), why("betti")),
+        row("Betti numbers over Q", betti(report.betti.q), why("betti")),
+    ];
+    table::lines(&rows, &[Align::Left, Align::Right])
+}
+
+fn beside(count: u64, what: &str) -> String {
+    if count == 0 { String::new() } else { format!("and {count} {what}") }
+}
+
+fn beside_of(count: u64, what: &str) -> String {
+    if count == 0 { String::new() } else { format!("{count} of them {what}") }
+}
+
+fn reason(reason: Reason) -> &'static str {
+    match reason {
+        Reason::NonManifoldComponent => "not defined: a component is not manifold",
+        Reason::NoOrientableComponent => "not defined: no component is orientable",
+        Reason::NoNonOrientableComponent => "not defined: every component is orientable",
+        Reason::EliminationBudget => "not computed: it would take too long",
+    }
+}
+
+/// The answers of yes and no, each no with its reasons.
+fn verdicts(report: &TopologyReport, style: Style) -> Vec<String> {
+    let verdict = |label: &str, answer: bool, reasons: &[(DefectKind, u64)]| {
+        let reasons = reasons.iter().copied().filter(|&(_, count)| count > 0);
+        let mark = format!("{:<3}", yes_no(answer));
+        let mark = if answer { style.good(&mark) } else { style.bad(&mark) };
+        format!("{label:<23} {mark}  {}", kinds_with_counts(reasons)).trim_end().to_owned()
+    };
+    let vertices = report.non_manifold_vertices;
+    let branching = [
+        (DefectKind::NonManifoldEdge, report.non_manifold_edges),
+        (DefectKind::PinchedVertex, vertices.pinched),
+        (DefectKind::SingularVertex, vertices.singular),
+    ];
+    vec![
+        verdict("manifold", report.manifold, &branching),
+        verdict("closed", report.closed, &[(DefectKind::BoundaryEdge, report.boundary_edges)]),
+        verdict(
+            "consistently oriented",
+            report.consistently_oriented,
+            &[(DefectKind::InconsistentEdge, report.inconsistent_edges)],
+        ),
+        verdict(
+            "orientable",
+            report.orientable,
+            &[(DefectKind::NonOrientablePatch, report.non_orientable_patches)],
+        ),
+    ]
+}
+
+fn components(document: &CheckDocument) -> Vec<String> {
+    let kinds = &document.topology.component_kinds;
+    let mut lines = table::lines(&kinds.iter().map(component).collect::<Vec<_>>(), &[Align::Right]);
+    let hidden = document.component_kinds_total - kinds.len() as u64;
+    if hidden > 0 {
+        lines.push(format!("… and {hidden} more kinds"));
+    }
+    lines
+}
+
+fn component(kind: &ComponentKind) -> Vec<String> {
+    let name = kind.name.clone().unwrap_or_else(|| "not a surface".to_owned());
+    let elements = format!("{} vertices, {} edges, {} faces", kind.vertices, kind.edges, kind.faces);
+    let euler = format!("χ {}", kind.euler_characteristic);
+    let place = format!("{} {}", if kind.count > 1 { "the first at" } else { "at" }, kind.first_vertex);
+    vec![format!("{} ×", kind.count), name, elements, euler, place]
+}
+
+/// The kinds of a severity with their places.
+pub(super) fn defects(document: &CheckDocument, severity: Severity) -> Vec<String> {
+    document.defects.iter().filter(|group| group.severity == severity).flat_map(group).collect()
+}
+
+fn group(group: &DefectGroup) -> Vec<String> {
+    let mut lines = vec![format!("{}: {} ({})", group.kind.title(), group.count, group.kind)];
+    lines.extend(group.items.iter().map(|item| format!("  {}", placed(item))));
+    let hidden = group.count - group.items.len() as u64;
+    if hidden > 0 {
+        lines.push(format!("  … and {hidden} more"));
+    }
+    lines
+}
+
+fn placed(item: &PlacedDefect) -> String {
+    let points: Vec<String> = item.positions.iter().take(MOST_POINTS).map(point).collect();
+    let more = if item.positions.len() > MOST_POINTS { " …" } else { "" };
+    if points.is_empty() { item.defect.to_string() } else { format!("{}, at {}{more}", item.defect, points.join(" ")) }
+}
+
+fn point(point: &[f64; 3]) -> String {
+    let [x, y, z] = point.map(coordinate);
+    format!("({x}, {y}, {z})")
+}
+
+/// A number as short as it can be, and never hundreds of digits.
+fn coordinate(value: f64) -> String {
+    if value.fract() == 0.0 && value.abs() < 1e15 { format!("{value}") } else { format!("{value:?}") }
+}
+
+fn kernels(document: &CheckDocument) -> Vec<String> {
+    let verdict = |kernel: &meshmend::KernelVerdict| {
+        let refusals = kernel.refusals.iter().map(|(&kind, &count)| (kind, count));
+        let text = if kernel.holds { "holds it".to_owned() } else { format!("refuses: {}", kinds_with_counts(refusals)) };
+        vec![kernel.name.to_owned(), text]
+    };
+    table::lines(&document.kernels.iter().map(verdict).collect::<Vec<_>>(), &[])
+}
+
+/// The figures of a mesh in the order in which a repair sets them side by side.
+pub(super) fn column(document: &CheckDocument) -> Vec<(&'static str, String)> {
+    let report = &document.topology;
+    let kinds = &report.component_kinds;
+    let name = |kind: &ComponentKind| kind.name.clone().unwrap_or_else(|| "not a surface".to_owned());
+    let what = match kinds.as_slice() {
+        [kind] if document.component_kinds_total == 1 => format!("{} × {}", kind.count, name(kind)),
+        [] => ABSENT.to_owned(),
+        _ => format!("{} kinds", document.component_kinds_total),
+    };
+    let betti = figure(report.betti.z2.map(|[a, b, c]| format!("{a} {b} {c}")));
+    vec![
+        ("vertices", report.vertices.to_string()),
+        ("edges", report.edges.to_string()),
+        ("faces", report.faces.to_string()),
+        ("Euler characteristic", report.euler_characteristic.to_string()),
+        ("components", report.components.to_string()),
+        ("which", what),
+        ("boundary loops", figure(report.boundary_loops)),
+        ("genus", figure(report.genus)),
+        ("cross-caps", figure(report.cross_caps)),
+        ("Betti numbers mod 2", betti),
+        ("manifold", yes_no(report.manifold).to_owned()),
+        ("closed", yes_no(report.closed).to_owned()),
+        ("consistently oriented", yes_no(report.consistently_oriented).to_owned()),
+        ("orientable", yes_no(report.orientable).to_owned()),
+    ]
+}

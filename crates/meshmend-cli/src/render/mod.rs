@@ -1,0 +1,59 @@
+//! Reports in words, for people. Nothing else formats text for them, and nothing here looks at a mesh.
+
+mod check;
+mod conversion;
+mod glossary;
+mod kernels;
+mod repair;
+mod style;
+mod table;
+
+pub(crate) use check::check;
+pub(crate) use conversion::conversion;
+pub(crate) use glossary::{defect_heading, explanation, glossary};
+pub(crate) use kernels::{kernels, trials};
+pub(crate) use repair::{repair, summary};
+pub(crate) use style::Style;
+
+use meshmend::report::Listing;
+use meshmend::{Defect, DefectKind};
+use std::collections::BTreeMap;
+
+/// Stands where a figure is not defined.
+const ABSENT: &str = "–";
+
+/// A text from a file or a file name, without characters that would take hold of a terminal.
+fn printable(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}
+
+/// `non-manifold edges: 3, pinched vertices: 1`.
+fn kinds_with_counts(counts: impl Iterator<Item = (DefectKind, u64)>) -> String {
+    let parts: Vec<String> = counts.map(|(kind, count)| format!("{}: {count}", kind.title())).collect();
+    parts.join(", ")
+}
+
+/// How often each kind is in a record.
+fn counts(listings: &BTreeMap<DefectKind, Listing<Defect>>) -> impl Iterator<Item = (DefectKind, u64)> + '_ {
+    listings.iter().map(|(&kind, listing)| (kind, listing.count))
+}
+
+/// A figure, or the sign for an absent one.
+fn figure(value: Option<impl ToString>) -> String {
+    value.map_or(ABSENT.to_owned(), |value| value.to_string())
+}
+
+/// A number that adds to another, with its sign.
+fn change(value: i64) -> String {
+    if value == 0 { "0".to_owned() } else { format!("{value:+}") }
+}
+
+fn yes_no(answer: bool) -> &'static str {
+    if answer { "yes" } else { "no" }
+}
+
+/// A headed paragraph of indented lines; nothing if there are none.
+fn paragraph(heading: &str, lines: impl IntoIterator<Item = String>) -> String {
+    let lines: Vec<String> = lines.into_iter().map(|line| format!("  {line}\n")).collect();
+    if lines.is_empty() { String::new() } else { format!("\n{heading}\n{}", lines.concat()) }
+}

@@ -1,0 +1,107 @@
+//! What a repair did: before and after side by side, pass by pass, what went, what is left.
+
+use meshmend::Severity;
+use meshmend::report::{FigureChanges, PassDocument, RepairDocument};
+
+use super::check::{column, defects};
+use super::table::{self, Align};
+use super::{Style, change, counts, figure, kinds_with_counts, paragraph, printable};
+
+/// The report on a repair.
+pub(crate) fn repair(document: &RepairDocument, style: Style) -> String {
+    let mut page = summary(document);
+    page.push_str(&paragraph(&style.heading("figures"), side_by_side(document)));
+    page.push_str(&paragraph(&style.heading("passes"), document.passes.iter().flat_map(pass)));
+    page.push_str(&paragraph(&style.heading("removed faces"), removed(document)));
+    let after = document.after.as_ref();
+    let wrong = after.map(|after| defects(after, Severity::Defect)).unwrap_or_default();
+    page.push_str(&paragraph(&style.heading("still wrong"), wrong));
+    let known = after.map(|after| defects(after, Severity::Note)).unwrap_or_default();
+    page.push_str(&paragraph(&style.heading("worth knowing"), known));
+    let losses = document.losses.iter().map(|loss| printable(&loss.to_string()));
+    page.push_str(&paragraph(&style.heading("what the output can't carry"), losses));
+    let notes = document.notes.iter().map(|note| printable(&note.to_string()));
+    page.push_str(&paragraph(&style.heading("notes of the reader"), notes));
+    page
+}
+
+/// One line that says what became of the mesh.
+pub(crate) fn summary(document: &RepairDocument) -> String {
+    let input = printable(document.file.as_deref().unwrap_or("mesh"));
+    let target = match &document.output {
+        Some(output) => format!("{input} → {}", printable(output)),
+        None => format!("{input}, nothing written"),
+    };
+    let (before, after) = (document.stored.before, document.stored.after);
+    let mut parts = vec![
+        format!("{} → {} vertices", before.vertices, after.vertices),
+        format!("{} → {} faces", before.faces, after.faces),
+    ];
+    let changes = [
+        (document.removed_faces.count, "faces removed"),
+        (document.flipped_faces.count, "faces flipped"),
+        (document.created_vertices.count, "vertices created"),
+        ((before.loose_edges - after.loose_edges.min(before.loose_edges)) as u64, "loose edges removed"),
+        ((before.loose_points - after.loose_points.min(before.loose_points)) as u64, "loose points removed"),
+        (document.losses.len() as u64, "losses in the output"),
+        (document.notes.len() as u64, "notes of the reader"),
+    ];
+    let changes = changes.into_iter().filter(|&(count, _)| count > 0);
+    parts.extend(changes.map(|(count, what)| format!("{count} {what}")));
+    if !document.passes.iter().any(|pass| pass.changed) {
+        parts.push("nothing to mend".to_owned());
+    }
+    match (before.faces, after.faces) {
+        (0, 0) => parts.push("the result is empty: there were no faces".to_owned()),
+        (_, 0) => parts.push("the result is empty: no face is left".to_owned()),
+        _ => {}
+    }
+    format!("{target}: {}\n", parts.join(", "))
+}
+
+fn side_by_side(document: &RepairDocument) -> Vec<String> {
+    let (Some(before), Some(after)) = (&document.before, &document.after) else { return Vec::new() };
+    let heading = [String::new(), format!("before, as {}", before.view), "after".to_owned()].to_vec();
+    let figures = column(before).into_iter().zip(column(after));
+    let rows = figures.map(|((label, before), (_, after))| vec![label.to_owned(), before, after]);
+    let rows: Vec<Vec<String>> = std::iter::once(heading).chain(rows).collect();
+    table::lines(&rows, &[Align::Left, Align::Right, Align::Right])
+}
+
+fn pass(document: &PassDocument) -> Vec<String> {
+    let mended = kinds_with_counts(counts(&document.mended));
+    let text = match (document.changed, mended.is_empty()) {
+        (false, _) => "nothing to do".to_owned(),
+        (true, true) => "changed the mesh".to_owned(),
+        (true, false) => mended,
+    };
+    let figures = match document.delta {
+        Some(delta) if document.changed => format!("  [{}]", deltas(delta)),
+        _ => String::new(),
+    };
+    let mut lines = vec![format!("{:<12}{text}{figures}", document.pass.name())];
+    let left = kinds_with_counts(counts(&document.left));
+    if !left.is_empty() {
+        lines.push(format!("{:<12}left alone: {left}", ""));
+    }
+    lines
+}
+
+fn deltas(delta: FigureChanges) -> String {
+    let loops = figure(delta.boundary_loops.map(change));
+    format!("Δχ {}, Δs {}, Δb {loops}", change(delta.euler_characteristic), change(delta.components))
+}
+
+fn removed(document: &RepairDocument) -> Vec<String> {
+    let removed = &document.removed_faces;
+    if removed.count == 0 {
+        return Vec::new();
+    }
+    let mut lines = vec![kinds_with_counts(removed.by_reason.iter().map(|(&kind, &count)| (kind, count)))];
+    lines.extend(removed.items.iter().map(|face| format!("  {} by {}: {}", face.face, face.pass, face.reason)));
+    let hidden = removed.count - removed.items.len() as u64;
+    if hidden > 0 {
+        lines.push(format!("  … and {hidden} more"));
+    }
+    lines
+}

@@ -1,0 +1,175 @@
+//! Words of the command line that stand for values of the library.
+
+use clap::ValueEnum;
+use meshmend::{DefectKind, Distance, Encoding, Format, KernelKind, View, WriteOptions};
+
+use crate::failure::Failure;
+
+/// What `--weld` can say: nothing is welded, or within which distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Welding {
+    Off,
+    Within(Distance),
+}
+
+impl Welding {
+    /// The view of a check that welds so.
+    pub(crate) fn view(self) -> View {
+        match self {
+            Welding::Off => View::Indexed,
+            Welding::Within(distance) => View::Welded(distance),
+        }
+    }
+}
+
+/// Reads `none`, `off`, `exact`, a length, or a percentage of the bounding box's diagonal.
+pub(crate) fn welding(word: &str) -> Result<Welding, String> {
+    match word {
+        "none" | "off" => return Ok(Welding::Off),
+        "exact" => return Ok(Welding::Within(Distance::Exact)),
+        _ => {}
+    }
+    let (number, is_percentage) = match word.strip_suffix('%') {
+        Some(number) => (number, true),
+        None => (word, false),
+    };
+    match number.trim().parse::<f64>() {
+        Ok(length) if length.is_finite() && length >= 0.0 => Ok(Welding::Within(if is_percentage {
+            Distance::Relative(length / 100.0)
+        } else {
+            Distance::Absolute(length)
+        })),
+        _ => Err("expected none, exact, a length such as 0.001, or a percentage such as 0.01%".to_owned()),
+    }
+}
+
+/// Reads the name of a kernel.
+pub(crate) fn kernel(word: &str) -> Result<KernelKind, String> {
+    KernelKind::from_name(word).ok_or_else(|| {
+        let names: Vec<&str> = KernelKind::ALL.iter().map(|kernel| kernel.name()).collect();
+        format!("the kernels are {}", names.join(", "))
+    })
+}
+
+/// Reads the code of a kind of defect.
+pub(crate) fn defect_kind(word: &str) -> Result<DefectKind, String> {
+    DefectKind::from_code(word).ok_or_else(|| {
+        let codes: Vec<&str> = DefectKind::ALL.iter().map(|kind| kind.code()).collect();
+        format!("the kinds are {}", codes.join(", "))
+    })
+}
+
+/// Reads the extension of a format that is written.
+pub(crate) fn format(word: &str) -> Result<Format, String> {
+    Format::from_extension(word).ok_or_else(|| {
+        let extensions = Format::ALL.iter().flat_map(|format| format.extensions());
+        format!("the formats are {}", extensions.copied().collect::<Vec<&str>>().join(", "))
+    })
+}
+
+/// How an output file spells its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EncodingWord {
+    /// As text
+    Ascii,
+    /// As binary numbers, in the byte order that is usual for the format
+    Binary,
+    /// As binary numbers, the lowest byte first
+    #[value(alias = "le")]
+    LittleEndian,
+    /// As binary numbers, the highest byte first
+    #[value(alias = "be")]
+    BigEndian,
+}
+
+/// In which format a mesh is written; by default in that of the file's name.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct OutputWords {
+    /// The format of the output, whatever its name
+    #[arg(long = "to", value_name = "FORMAT", value_parser = format)]
+    format: Option<Format>,
+    /// How the output spells its numbers
+    #[arg(long, value_enum)]
+    encoding: Option<EncodingWord>,
+}
+
+impl OutputWords {
+    /// How to write a file; known to be possible before any work is done.
+    pub(crate) fn options(self, path: &std::path::Path) -> Result<WriteOptions, Failure> {
+        let failed = |reason: String| Failure::usage(format!("{}: {reason}", path.display()));
+        let format = WriteOptions { format: self.format, encoding: None }.for_path(path).format;
+        let format = format.ok_or_else(|| {
+            let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
+            failed(format!("the name tells no format that can be written; known are {}", names.join(", ")))
+        })?;
+        let encoding = match self.encoding {
+            None => format.encodings().first().copied(),
+            Some(word) => Some(word.of(format).ok_or_else(|| {
+                let known: Vec<&str> = format.encodings().iter().map(|encoding| encoding.name()).collect();
+                failed(format!("{format} has no such encoding; it has {}", known.join(", ")))
+            })?),
+        };
+        Ok(WriteOptions { format: Some(format), encoding })
+    }
+}
+
+impl EncodingWord {
+    fn of(self, format: Format) -> Option<Encoding> {
+        let mut known = format.encodings().iter().copied();
+        match self {
+            EncodingWord::Ascii => known.find(|&encoding| encoding == Encoding::Ascii),
+            EncodingWord::Binary => known.find(|&encoding| encoding != Encoding::Ascii),
+            EncodingWord::LittleEndian => known.find(|&encoding| encoding == Encoding::LittleEndian),
+            EncodingWord::BigEndian => known.find(|&encoding| encoding == Encoding::BigEndian),
+        }
+    }
+}
+
+/// What readers call a file that is written so.
+pub(crate) fn variant(options: &WriteOptions) -> Option<&'static str> {
+    let encoding = options.encoding.unwrap_or(Encoding::Ascii);
+    Some(match (options.format?, encoding) {
+        (Format::Obj, _) => "obj",
+        (Format::Off, _) => "off",
+        (Format::Ply, Encoding::Ascii) => "ply-ascii",
+        (Format::Ply, Encoding::LittleEndian) => "ply-le",
+        (Format::Ply, Encoding::BigEndian) => "ply-be",
+        (Format::Stl, Encoding::Ascii) => "stl-ascii",
+        (Format::Stl, _) => "stl-binary",
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_are_lengths_or_percentages() {
+        assert_eq!(welding("exact"), Ok(Welding::Within(Distance::Exact)));
+        assert_eq!(welding("1e-3"), Ok(Welding::Within(Distance::Absolute(1e-3))));
+        assert_eq!(welding("50%"), Ok(Welding::Within(Distance::Relative(0.5))));
+        for off in ["none", "off"] {
+            assert_eq!(welding(off), Ok(Welding::Off));
+        }
+        for wrong in ["", "%", "-1", "nan", "inf", "1e999", "Exact", "3 mm"] {
+            assert!(welding(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn what_is_written_has_the_name_that_its_reader_gives_it() {
+        for &format in Format::ALL {
+            for &encoding in format.encodings() {
+                let options = WriteOptions::of(format).with_encoding(encoding);
+                let faces = meshmend::FaceTable::triangles(3, [0, 1, 2].map(meshmend::VertexId).to_vec());
+                let mesh = meshmend::PolygonMesh::new(vec![[0.0; 3]; 3], faces.unwrap()).unwrap();
+                let mut bytes = Vec::new();
+                meshmend::encode(&mesh, &options, &mut bytes).unwrap();
+                let name = format!("a.{}", format.extensions()[0]);
+                let file = meshmend::read_bytes(&bytes, &name, &Default::default()).unwrap();
+                assert_eq!(Some(file.variant), variant(&options));
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The values that statements give: texture coordinates, normals, colours.
+
+use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Values};
+
+/// Values of one to three numbers, one after the other, all as wide as the widest.
+pub(super) struct Pool {
+    pub(super) width: usize,
+    pub(super) values: Vec<f64>,
+    /// How many values were padded.
+    pub(super) mixed: u64,
+}
+
+#[derive(Default)]
+pub(super) struct Colors {
+    width: usize,
+    values: Vec<[f64; 4]>,
+    uses: Vec<u32>,
+}
+
+impl Pool {
+    pub(super) fn len(&self) -> usize {
+        self.values.len().checked_div(self.width).unwrap_or(0)
+    }
+
+    pub(super) fn push(&mut self, value: &[f64]) {
+        if value.len() > self.width {
+            self.widen(value.len());
+        }
+        self.mixed += u64::from(value.len() < self.width);
+        self.values.extend_from_slice(value);
+        self.values.resize(self.values.len() + self.width - value.len(), 0.0);
+    }
+
+    fn widen(&mut self, width: usize) {
+        let count = self.len();
+        let mut wider = Vec::with_capacity((count + 1) * width);
+        for value in self.values.chunks_exact(self.width.max(1)) {
+            wider.extend_from_slice(value);
+            wider.resize(wider.len() + width - self.width, 0.0);
+        }
+        self.mixed += count as u64;
+        (self.values, self.width) = (wider, width);
+    }
+}
+
+impl Colors {
+    pub(super) fn set(&mut self, vertex: usize, value: [f64; 4], width: usize) {
+        self.width = self.width.max(width);
+        self.uses.resize(vertex, NO_VALUE);
+        self.uses.push(self.values.len() as u32);
+        self.values.push(value);
+    }
+
+    pub(super) fn layer(mut self, vertices: usize) -> Option<Layer> {
+        let width = self.width;
+        let values = self.values.iter().flat_map(|value| &value[..width]).copied().collect();
+        let values = Values::F64(values);
+        match self.values.len() {
+            0 => None,
+            all if all == vertices => {
+                Some(Layer::direct("color", Domain::Vertex, width, Carry::Interpolate, values))
+            }
+            _ => {
+                self.uses.resize(vertices, NO_VALUE);
+                Some(Layer::indexed("color", Domain::Vertex, width, Carry::Interpolate, values, self.uses))
+            }
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! What holds for all formats: how they are found, and that writing is all or nothing.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::common::written;
+use meshmend_core::{FaceTable, PolygonMesh, VertexId};
+use meshmend_io::{
+    Encoding, Format, Place, ReadErrorKind, ReadOptions, WriteErrorKind, WriteOptions, encode, losses, read,
+    read_bytes, write,
+};
+
+fn triangle() -> PolygonMesh {
+    let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec()).unwrap();
+    PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.5]], faces).unwrap()
+}
+
+/// An empty folder that is removed again.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("meshmend-io-formats-{name}-{}", std::process::id()));
+        fs::remove_dir_all(&path).ok();
+        fs::create_dir_all(&path).unwrap();
+        Folder(path)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        fs::remove_dir_all(&self.0).ok();
+    }
+}
+
+#[test]
+fn extensions_stand_for_formats_in_any_case() {
+    for &format in Format::ALL {
+        for extension in format.extensions() {
+            assert_eq!(Format::from_extension(&extension.to_uppercase()), Some(format));
+        }
+        assert_eq!(Format::from_path(Path::new(&format!("a.b/c.{}", format.extensions()[0]))), Some(format));
+    }
+    assert_eq!(Format::from_path(Path::new("obj")), None);
+}
+
+#[test]
+fn content_tells_the_format_where_the_name_does_not() {
+    let mesh = triangle();
+    for &format in Format::ALL {
+        for &encoding in format.encodings() {
+            let (bytes, _) = written(&mesh, format, encoding);
+            assert_eq!(Format::from_content(&bytes), Some(format), "{format} {encoding}");
+            let file = read_bytes(&bytes, "no-extension", &ReadOptions::default()).unwrap();
+            assert_eq!((file.format, file.mesh.counts().faces), (format, 1));
+        }
+    }
+}
+
+#[test]
+fn unknown_formats_are_an_error_of_their_own() {
+    let obj = b"v 0 0 0\n";
+    for (bytes, name) in [(&b"glTF\x02\0\0\0"[..], "a.glb"), (b"hello", "a.txt"), (b"", "a"), (obj, "a.gltf")]
+    {
+        let error = read_bytes(bytes, name, &ReadOptions::default()).unwrap_err();
+        assert!(matches!(error.kind, ReadErrorKind::UnknownFormat), "{error}");
+        assert!(error.to_string().starts_with(&format!("{name}: the format is not known")), "{error}");
+    }
+}
+
+#[test]
+fn errors_show_file_place_and_reason() {
+    let error = read_bytes(b"v 0 0 0\nf 2\n", "mesh.obj", &ReadOptions::default()).unwrap_err();
+    assert_eq!(error.place, Place::Line(2));
+    assert_eq!(error.to_string(), "mesh.obj: line 2: vertex 2 does not exist: the file has 1 vertices");
+    let error = read(Path::new("/no/such/mesh.obj"), &ReadOptions::default()).unwrap_err();
+    assert!(matches!(error.kind, ReadErrorKind::Io(_)));
+    assert!(error.to_string().starts_with("/no/such/mesh.obj: "), "{error}");
+    let error = read(&std::env::temp_dir(), &ReadOptions { format: Some(Format::Obj), ..Default::default() });
+    assert!(matches!(error.unwrap_err().kind, ReadErrorKind::Io(_)));
+}
+
+#[test]
+fn a_file_is_written_and_read_and_may_be_its_own_target() {
+    let folder = Folder::new("own");
+    for &format in Format::ALL {
+        let path = folder.0.join(format!("mesh.{}", format.extensions()[0]));
+        assert!(write(&path, &triangle(), &WriteOptions::default()).unwrap().is_empty());
+        let first = fs::read(&path).unwrap();
+        let file = read(&path, &ReadOptions::default()).unwrap();
+        let _ = write(&path, &file.mesh, &WriteOptions::default()).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), first, "{format}");
+    }
+    assert_eq!(fs::read_dir(&folder.0).unwrap().count(), Format::ALL.len());
+}
+
+#[test]
+fn wishes_that_can_not_be_met_are_errors_and_touch_nothing() {
+    let folder = Folder::new("wishes");
+    let path = folder.0.join("mesh.xyz");
+    let error = write(&path, &triangle(), &WriteOptions::default()).unwrap_err();
+    assert!(matches!(error.kind, WriteErrorKind::UnknownFormat), "{error}");
+    let big = WriteOptions::of(Format::Obj).with_encoding(Encoding::BigEndian);
+    let error = write(&path, &triangle(), &big).unwrap_err();
+    assert_eq!(error.to_string(), format!("{}: OBJ has no encoding `big-endian`", path.display()));
+    assert_eq!(fs::read_dir(&folder.0).unwrap().count(), 0);
+}
+
+#[test]
+fn losses_are_the_same_with_and_without_writing() {
+    let mesh = triangle().with_loose(vec![[VertexId(0), VertexId(1)]], vec![VertexId(2)]).unwrap();
+    for &format in Format::ALL {
+        for &encoding in format.encodings() {
+            let options = WriteOptions::of(format).with_encoding(encoding);
+            let found = encode(&mesh, &options, &mut std::io::sink()).unwrap();
+            assert_eq!(found, losses(&mesh, &options));
+        }
+    }
+    assert!(losses(&mesh, &WriteOptions::of(Format::Obj)).is_empty());
+}
+
+#[test]
+fn random_bytes_and_random_changes_end_in_a_result() {
+    let mut state = 0x2545_f491_4f6c_dd1d_u64;
+    let mut random = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state
+    };
+    let mesh = triangle();
+    for &format in Format::ALL {
+        for &encoding in format.encodings() {
+            let (bytes, _) = written(&mesh, format, encoding);
+            for _ in 0..4000 {
+                let mut changed = bytes.clone();
+                for _ in 0..1 + random() % 4 {
+                    let at = random() as usize % changed.len();
+                    changed[at] = random() as u8;
+                }
+                changed.truncate(changed.len() - random() as usize % 3);
+                let options = ReadOptions { format: Some(format), ..Default::default() };
+                if let Ok(file) = read_bytes(&changed, "changed", &options) {
+                    let again = written(&file.mesh, format, encoding).0;
+                    assert!(
+                        read_bytes(&again, "again", &options).is_ok(),
+                        "{}",
+                        String::from_utf8_lossy(&changed)
+                    );
+                }
+            }
+        }
+    }
+}

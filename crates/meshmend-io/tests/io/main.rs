@@ -1,0 +1,11 @@
+//! What the readers and writers promise, format by format, and on every file of the shared corpus.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod common;
+mod corpus;
+mod formats;
+mod obj;
+mod off;
+mod ply;
+mod stl;

@@ -1,0 +1,282 @@
+//! What a mesh is, what is wrong with it and where, and which kernels hold it.
+
+use std::collections::BTreeMap;
+
+use meshmend_core::{Connectivity, Defect, DefectKind, FaceId, PolygonMesh, Severity, VertexId};
+use meshmend_kernels::{KernelKind, KernelTask};
+use meshmend_repair::{PassError, coincident_vertices};
+use meshmend_topology::{TopologyReport, topology};
+use serde::Serialize;
+
+use crate::View;
+
+/// How to check.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CheckOptions {
+    /// Whether the mesh is judged as stored or as welded.
+    pub view: View,
+    /// The kernel to compute on.
+    pub kernel: KernelKind,
+}
+
+/// What a check found.
+#[derive(Clone, Debug)]
+pub struct CheckReport {
+    /// As what the mesh was judged.
+    pub view: View,
+    /// What is stored.
+    pub stored: StoredCounts,
+    /// The mesh in that view: all ids below are its.
+    pub mesh: PolygonMesh,
+    /// Its figures, and the list of what is wrong with it as it is.
+    pub topology: TopologyReport,
+    /// Which kernels hold it.
+    pub kernels: Vec<KernelVerdict>,
+    /// The vertices that exact welding would join to a lower one; nothing where the view is welded.
+    coincident: Vec<(VertexId, VertexId)>,
+}
+
+/// How many elements a mesh has as stored, whether anything uses them or not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct StoredCounts {
+    /// Vertices, unreferenced ones included.
+    pub vertices: usize,
+    /// Faces, degenerate ones included.
+    pub faces: usize,
+    /// Edges that are elements of their own.
+    pub loose_edges: usize,
+    /// Points that are elements of their own.
+    pub loose_points: usize,
+}
+
+/// Whether a kernel holds a mesh, and what stands against it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct KernelVerdict {
+    /// The kernel's name.
+    pub name: &'static str,
+    /// Whether nothing stands against it.
+    pub holds: bool,
+    /// How many defects of each kind it does not admit.
+    pub refusals: BTreeMap<DefectKind, u64>,
+}
+
+/// Checks a mesh, and changes nothing.
+///
+/// # Errors
+/// When the kernel can't hold the mesh, or the view's distance is none.
+///
+/// *Cost*: near-linear; one sort of the positions to tell what welding would join.
+pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, PassError> {
+    let viewed = options.view.of(mesh)?;
+    let topology = options.kernel.run(viewed.complex(), Analyse { mesh: &viewed })?;
+    let report = CheckReport::of_topology(viewed, topology);
+    Ok(CheckReport {
+        view: options.view,
+        stored: StoredCounts::of(mesh),
+        coincident: if options.view == View::Indexed { report.coincident } else { Vec::new() },
+        ..report
+    })
+}
+
+struct Analyse<'a> {
+    mesh: &'a PolygonMesh,
+}
+
+impl KernelTask for Analyse<'_> {
+    type Output = TopologyReport;
+    fn run<K: Connectivity>(self, kernel: &K) -> TopologyReport {
+        topology(kernel, self.mesh)
+    }
+}
+
+impl CheckReport {
+    /// The report on a mesh as stored whose topology is known already, as it is after a repair.
+    ///
+    /// *Cost*: one sort of the positions.
+    pub fn of_topology(mesh: PolygonMesh, topology: TopologyReport) -> Self {
+        let lowest = coincident_vertices(&mesh);
+        let joined = (0..).map(VertexId).zip(lowest).filter(|(vertex, lowest)| vertex != lowest);
+        let mut report = CheckReport {
+            view: View::Indexed,
+            stored: StoredCounts::of(&mesh),
+            coincident: joined.collect(),
+            kernels: Vec::new(),
+            topology,
+            mesh,
+        };
+        report.kernels = KernelKind::ALL.iter().map(|&kernel| report.verdict(kernel)).collect();
+        report
+    }
+
+    /// Whether nothing is wrong: no defect of any kind but notes.
+    pub fn is_sound(&self) -> bool {
+        let mut wrong = DefectKind::ALL.iter().filter(|kind| kind.severity() == Severity::Defect);
+        wrong.all(|&kind| self.count(kind) == 0)
+    }
+
+    /// How many defects of a kind there are; 0 for the kinds that only a repair finds.
+    ///
+    /// *Cost*: constant, or linear in the faces for `polygon-face` and `non-finite-face`.
+    pub fn count(&self, kind: DefectKind) -> usize {
+        match kind {
+            DefectKind::CoincidentVertex => self.coincident.len(),
+            DefectKind::PolygonFace => self.polygons().count(),
+            DefectKind::NonFiniteFace if self.topology.non_finite_vertices == 0 => 0,
+            DefectKind::NonFiniteFace => self.non_finite_faces().count(),
+            kind => self.topology.defects.count(kind),
+        }
+    }
+
+    /// The defects of a kind, by ascending id.
+    pub fn defects_of_kind(&self, kind: DefectKind) -> Box<dyn Iterator<Item = Defect> + '_> {
+        match kind {
+            DefectKind::CoincidentVertex => Box::new(
+                self.coincident
+                    .iter()
+                    .map(|&(vertex, original)| Defect::CoincidentVertex { vertex, original }),
+            ),
+            DefectKind::PolygonFace => Box::new(self.polygons()),
+            DefectKind::NonFiniteFace => Box::new(self.non_finite_faces()),
+            kind => Box::new(self.topology.defects.of_kind(kind)),
+        }
+    }
+
+    /// The kinds that occur and that a report lists unasked, in order.
+    ///
+    /// Polygons are no news to who has them, and faces that are not finite are told by their vertices.
+    pub fn listed_kinds(&self) -> impl Iterator<Item = DefectKind> + '_ {
+        let unasked = |kind: &DefectKind| !matches!(kind, DefectKind::PolygonFace | DefectKind::NonFiniteFace);
+        DefectKind::ALL.iter().copied().filter(unasked).filter(|&kind| self.count(kind) > 0)
+    }
+
+    fn polygons(&self) -> impl Iterator<Item = Defect> + '_ {
+        let faces = self.mesh.complex().faces();
+        let corners = move |face: FaceId| faces.corner_range(face).len() as u32;
+        let polygons = faces.faces().filter(move |&face| corners(face) > 3);
+        polygons.map(move |face| Defect::PolygonFace { face, corners: corners(face) })
+    }
+
+    fn non_finite_faces(&self) -> impl Iterator<Item = Defect> + '_ {
+        let faces = self.mesh.faces();
+        faces.faces().filter_map(|face| {
+            let vertex = *faces.face_vertices(face).iter().find(|&&vertex| !self.mesh.is_finite(vertex))?;
+            Some(Defect::NonFiniteFace { face, vertex })
+        })
+    }
+
+    fn verdict(&self, kernel: KernelKind) -> KernelVerdict {
+        let refusals: BTreeMap<DefectKind, u64> = not_admitted(kernel)
+            .map(|kind| (kind, self.count(kind) as u64))
+            .filter(|&(_, count)| count > 0)
+            .collect();
+        KernelVerdict { name: kernel.name(), holds: refusals.is_empty(), refusals }
+    }
+}
+
+impl StoredCounts {
+    /// The counts of a mesh.
+    pub fn of(mesh: &PolygonMesh) -> Self {
+        StoredCounts {
+            vertices: mesh.counts().vertices,
+            faces: mesh.counts().faces,
+            loose_edges: mesh.loose_edges().len(),
+            loose_points: mesh.loose_points().len(),
+        }
+    }
+}
+
+/// The kinds of defect that stand against a kernel.
+fn not_admitted(kernel: KernelKind) -> impl Iterator<Item = DefectKind> {
+    let able = kernel.capabilities();
+    let rules = [
+        (able.non_simple_faces, DefectKind::NonSimpleFace),
+        (able.polygons, DefectKind::PolygonFace),
+        (able.non_manifold_edges, DefectKind::NonManifoldEdge),
+        (able.mixed_orientation, DefectKind::InconsistentEdge),
+        (able.non_manifold_vertices, DefectKind::PinchedVertex),
+        (able.non_manifold_vertices, DefectKind::SingularVertex),
+    ];
+    rules.into_iter().filter(|(is_admitted, _)| !is_admitted).map(|(_, kind)| kind)
+}
+
+#[cfg(test)]
+mod tests {
+    use meshmend_core::{FaceTableBuilder, admission};
+    use meshmend_repair::Distance;
+
+    use super::*;
+
+    fn mesh(positions: &[[f64; 3]], faces: &[&[u32]]) -> PolygonMesh {
+        let mut builder = FaceTableBuilder::default();
+        faces.iter().for_each(|face| builder.push_face(face.iter().copied().map(VertexId)));
+        let table = builder.build(positions.len()).unwrap();
+        PolygonMesh::new(positions.to_vec(), table).unwrap()
+    }
+
+    fn spread(count: usize) -> Vec<[f64; 3]> {
+        (0..count).map(|i| [i as f64, (i * i) as f64, 0.0]).collect()
+    }
+
+    #[test]
+    fn the_verdicts_are_those_of_admission() {
+        let faces: &[&[u32]] = &[
+            &[0, 1, 2],
+            &[1, 2, 0],
+            &[2, 1, 3],
+            &[3, 4],
+            &[5, 6, 7, 5, 8, 9],
+            &[10, 11, 12, 13],
+            &[10, 11, 14],
+            &[14, 15, 16],
+        ];
+        let mesh = mesh(&spread(17), faces);
+        let report = check(&mesh, &CheckOptions::default()).unwrap();
+        assert_eq!(report.kernels.len(), KernelKind::ALL.len());
+        for (verdict, kernel) in report.kernels.iter().zip(KernelKind::ALL) {
+            let mut expected = BTreeMap::new();
+            for defect in admission(mesh.complex(), &kernel.capabilities()) {
+                *expected.entry(defect.kind()).or_insert(0) += 1;
+            }
+            assert_eq!(verdict.refusals, expected, "{kernel}");
+            assert_eq!(verdict.holds, expected.is_empty());
+        }
+    }
+
+    #[test]
+    fn a_view_decides_what_is_one_vertex() {
+        let apart = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0; 3]];
+        let mesh = mesh(&apart, &[&[0, 1, 2], &[3, 5, 4]]);
+        let indexed = check(&mesh, &CheckOptions::default()).unwrap();
+        assert_eq!((indexed.topology.components, indexed.count(DefectKind::CoincidentVertex)), (2, 2));
+        let view = View::Welded(Distance::Exact);
+        let welded = check(&mesh, &CheckOptions { view, ..CheckOptions::default() }).unwrap();
+        assert_eq!((welded.topology.components, welded.count(DefectKind::CoincidentVertex)), (1, 0));
+        assert_eq!((welded.stored.vertices, welded.topology.vertices), (6, 4));
+        let view = View::Welded(Distance::Absolute(f64::NAN));
+        assert!(matches!(
+            check(&mesh, &CheckOptions { view, ..CheckOptions::default() }),
+            Err(PassError::Request { .. })
+        ));
+    }
+
+    #[test]
+    fn notes_alone_leave_a_mesh_sound() {
+        let mut report = check(&mesh(&spread(4), &[&[0, 1, 2]]), &CheckOptions::default()).unwrap();
+        assert!(report.is_sound());
+        let kinds: Vec<_> = report.listed_kinds().collect();
+        assert_eq!(kinds, [DefectKind::BoundaryEdge, DefectKind::UnreferencedVertex]);
+        let infinite = [[0.0; 3], [1.0, f64::NAN, 0.0], [0.0, 1.0, 0.0]];
+        report = check(&mesh(&infinite, &[&[0, 1, 2]]), &CheckOptions::default()).unwrap();
+        assert!(!report.is_sound());
+        let faces: Vec<_> = report.defects_of_kind(DefectKind::NonFiniteFace).collect();
+        assert_eq!(faces, [Defect::NonFiniteFace { face: FaceId(0), vertex: VertexId(1) }]);
+        assert_eq!(report.count(DefectKind::NonFiniteFace), 1);
+    }
+
+    #[test]
+    fn a_strict_kernel_refuses_to_check_what_it_cant_hold() {
+        let fan = mesh(&spread(5), &[&[0, 1, 2], &[0, 1, 3], &[0, 1, 4]]);
+        let options = CheckOptions { kernel: KernelKind::HalfEdge, ..CheckOptions::default() };
+        assert!(matches!(check(&fan, &options), Err(PassError::Refused(_))));
+    }
+}

@@ -1,0 +1,39 @@
+//! Reports for other programs: plain facts with a schema number, the same bytes for the same input.
+//!
+//! A *document* is a report with every list cut to a limit and its full count beside it, so that it is small
+//! whatever the mesh is. The command line prints these documents, as JSON or in words.
+//!
+//! ```
+//! use meshmend::report::{CheckDocument, json};
+//! use meshmend::{CheckOptions, check};
+//! # use meshmend::{FaceTable, PolygonMesh, VertexId};
+//! # let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec())?;
+//! # let mesh = PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], faces)?;
+//!
+//! let document = CheckDocument::new(check(&mesh, &CheckOptions::default())?, 10);
+//! assert!(json(&document)?.contains(r#""euler_characteristic":1"#));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod check_document;
+mod listing;
+mod repair_document;
+
+pub use check_document::{CheckDocument, DefectGroup};
+pub use listing::{Listing, MOST_POSITIONS, PlacedDefect};
+pub use repair_document::{
+    BeforeAndAfter, CreatedVertex, FigureChanges, NamedFace, PassDocument, ProvenanceDocument, RemovedFaces, RepairDocument,
+};
+use serde::Serialize;
+
+/// The number of the form that documents have; it changes when a key changes its meaning or goes.
+pub const SCHEMA: u32 = 1;
+
+/// A document as one line of JSON with sorted keys. A number that is not finite becomes `null`.
+///
+/// # Errors
+/// When the value has a map whose keys are no texts; no document has.
+pub fn json(document: &impl Serialize) -> Result<String, serde_json::Error> {
+    // A map of serde_json is sorted by key, while a struct is written in the order of its fields.
+    serde_json::to_value(document).map(|value| value.to_string())
+}

@@ -1,0 +1,245 @@
+//! The document of a repair.
+
+use std::collections::BTreeMap;
+
+use meshmend_core::{Blend, Defect, DefectKind, FaceId, PolygonMesh, Provenance, Sources, VertexId};
+use meshmend_io::{Loss, Note};
+use meshmend_repair::{Figures, PassKind, PassRecord, RemovedFace, Repaired};
+use serde::Serialize;
+
+use super::{CheckDocument, Listing, SCHEMA};
+use crate::StoredCounts;
+
+/// What a repair did, with every list cut to a limit.
+#[derive(Clone, Debug, Serialize)]
+pub struct RepairDocument {
+    /// The number of this form.
+    pub schema: u32,
+    /// The file that was read, if one was.
+    pub file: Option<String>,
+    /// The file that was written, if one was.
+    pub output: Option<String>,
+    /// What the reader had to say about the file.
+    pub notes: Vec<Note>,
+    /// What was stored, and what the result stores.
+    pub stored: BeforeAndAfter,
+    /// The mesh before, if it was looked at.
+    pub before: Option<CheckDocument>,
+    /// The mesh after, if it was looked at.
+    pub after: Option<CheckDocument>,
+    /// What each pass did, in order.
+    pub passes: Vec<PassDocument>,
+    /// The stored faces of which nothing is left.
+    pub removed_faces: RemovedFaces,
+    /// The faces of the result that run the other way round than as stored.
+    pub flipped_faces: Listing<FaceId>,
+    /// The vertices of the result that were not stored.
+    pub created_vertices: Listing<VertexId>,
+    /// What the written format can't carry.
+    pub losses: Vec<Loss>,
+    /// Where each element came from, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub provenance: Option<ProvenanceDocument>,
+}
+
+/// How many elements there were, and how many there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct BeforeAndAfter {
+    /// As stored.
+    pub before: StoredCounts,
+    /// In the result.
+    pub after: StoredCounts,
+}
+
+/// What one pass did.
+#[derive(Clone, Debug, Serialize)]
+pub struct PassDocument {
+    /// The pass.
+    pub pass: PassKind,
+    /// Whether it changed anything.
+    pub changed: bool,
+    /// What was wrong and no longer is, by ids of the mesh before the pass.
+    pub mended: BTreeMap<DefectKind, Listing<Defect>>,
+    /// What it left alone, by ids of the mesh after the pass.
+    pub left: BTreeMap<DefectKind, Listing<Defect>>,
+    /// How the figures changed, if they were taken.
+    pub delta: Option<FigureChanges>,
+}
+
+/// How much a pass added to the three figures by which its effect is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct FigureChanges {
+    /// To V − E + F.
+    pub euler_characteristic: i64,
+    /// To the number of components.
+    pub components: i64,
+    /// To the number of boundary loops; absent where the mesh is not manifold before or after.
+    pub boundary_loops: Option<i64>,
+}
+
+/// The stored faces of which nothing is left.
+#[derive(Clone, Debug, Serialize)]
+pub struct RemovedFaces {
+    /// How many.
+    pub count: u64,
+    /// How many for each reason.
+    pub by_reason: BTreeMap<DefectKind, u64>,
+    /// The first of them, as many as the limit allows.
+    pub items: Vec<NamedFace>,
+}
+
+/// A stored face that is gone, and why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct NamedFace {
+    /// Its id as stored.
+    pub face: FaceId,
+    /// The pass that removed it.
+    pub pass: PassKind,
+    /// Why.
+    pub reason: DefectKind,
+}
+
+/// Where each element of the result came from: whole lists, whatever the limit.
+#[derive(Clone, Debug, Serialize)]
+pub struct ProvenanceDocument {
+    /// For each vertex of the result the stored vertex whose place it has; `null` for a created one.
+    pub vertex_sources: Sources<VertexId>,
+    /// For each face of the result the stored face that it is, or is a part of.
+    pub face_sources: Sources<FaceId>,
+    /// The faces of the result that run the other way round than as stored.
+    pub flipped: Vec<FaceId>,
+    /// The created vertices.
+    pub created: Vec<CreatedVertex>,
+}
+
+/// A vertex that a repair created.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct CreatedVertex {
+    /// Its id in the result.
+    pub vertex: VertexId,
+    /// Where it is in terms of the stored mesh, where its neighbours were stored.
+    pub place: Option<Blend>,
+}
+
+impl RepairDocument {
+    /// The document of the repair of a mesh as stored, with at most `limit` items in each list. What only the caller knows (files,
+    /// the state before and after, losses) is absent, and can be filled in.
+    pub fn new(stored: &PolygonMesh, repaired: &Repaired, limit: usize) -> Self {
+        let created = repaired.provenance.created.iter();
+        RepairDocument {
+            schema: SCHEMA,
+            file: None,
+            output: None,
+            notes: Vec::new(),
+            stored: BeforeAndAfter {
+                before: StoredCounts::of(stored),
+                after: StoredCounts::of(&repaired.mesh),
+            },
+            before: None,
+            after: None,
+            passes: repaired.passes.iter().map(|record| PassDocument::new(record, limit)).collect(),
+            removed_faces: RemovedFaces::new(&repaired.removed_faces, limit),
+            flipped_faces: Listing::cut(repaired.provenance.flipped.iter().copied(), limit),
+            created_vertices: Listing::cut(created.map(|&(vertex, _)| vertex), limit),
+            losses: Vec::new(),
+            provenance: None,
+        }
+    }
+}
+
+impl PassDocument {
+    fn new(record: &PassRecord, limit: usize) -> Self {
+        PassDocument {
+            pass: record.pass,
+            changed: record.is_changed,
+            mended: by_kind(&record.mended, limit),
+            left: by_kind(&record.left, limit),
+            delta: record.figures.map(|[before, after]| FigureChanges::between(before, after)),
+        }
+    }
+}
+
+fn by_kind(defects: &[Defect], limit: usize) -> BTreeMap<DefectKind, Listing<Defect>> {
+    let mut groups: BTreeMap<DefectKind, Listing<Defect>> = BTreeMap::new();
+    for defect in defects {
+        groups.entry(defect.kind()).or_default().add(limit, || defect.clone());
+    }
+    groups
+}
+
+impl FigureChanges {
+    fn between(before: Figures, after: Figures) -> Self {
+        let loops = before.boundary_loops.zip(after.boundary_loops);
+        FigureChanges {
+            euler_characteristic: after.euler_characteristic - before.euler_characteristic,
+            components: after.components as i64 - before.components as i64,
+            boundary_loops: loops.map(|(before, after)| after as i64 - before as i64),
+        }
+    }
+}
+
+impl RemovedFaces {
+    fn new(removed: &[RemovedFace], limit: usize) -> Self {
+        let mut by_reason = BTreeMap::new();
+        for face in removed {
+            *by_reason.entry(face.reason).or_insert(0) += 1;
+        }
+        let named = |removed: &RemovedFace| NamedFace {
+            face: removed.face,
+            pass: removed.pass,
+            reason: removed.reason,
+        };
+        RemovedFaces {
+            count: removed.len() as u64,
+            by_reason,
+            items: removed.iter().take(limit).map(named).collect(),
+        }
+    }
+}
+
+impl ProvenanceDocument {
+    /// The maps of a repair.
+    pub fn new(provenance: &Provenance) -> Self {
+        let created = |&(vertex, place): &_| CreatedVertex { vertex, place };
+        ProvenanceDocument {
+            vertex_sources: provenance.vertices.clone(),
+            face_sources: provenance.faces.clone(),
+            flipped: provenance.flipped.clone(),
+            created: provenance.created.iter().map(created).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use meshmend_core::FaceTable;
+    use meshmend_repair::Pipeline;
+    use serde_json::{Value, json};
+
+    use super::*;
+
+    #[test]
+    fn a_repair_is_told_pass_by_pass() {
+        let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0; 3]];
+        let faces = [0, 1, 2, 3, 4, 5, 0, 1, 1, 0, 0, 0].map(VertexId).to_vec();
+        let mesh = PolygonMesh::new(positions.to_vec(), FaceTable::triangles(6, faces).unwrap()).unwrap();
+        let repaired = Pipeline::default().with_figures().run(&mesh).unwrap();
+        let mut document = RepairDocument::new(&mesh, &repaired, 1);
+        document.provenance = Some(ProvenanceDocument::new(&repaired.provenance));
+        let document: Value = serde_json::to_value(document).unwrap();
+        assert_eq!(document["passes"][0]["mended"]["coincident-vertex"]["count"], 2);
+        let items = &document["passes"][0]["mended"]["coincident-vertex"]["items"];
+        assert_eq!(items.as_array().unwrap().len(), 1);
+        let delta = json!({"euler_characteristic": -1, "components": -1, "boundary_loops": -1});
+        assert_eq!(document["passes"][0]["delta"], delta);
+        let gone = json!({
+            "count": 2,
+            "by_reason": {"degenerate-face": 2},
+            "items": [{"face": 2, "pass": "clean", "reason": "degenerate-face"}],
+        });
+        assert_eq!(document["removed_faces"], gone);
+        assert_eq!(document["flipped_faces"], json!({"count": 1, "items": [1]}));
+        assert_eq!(document["provenance"]["vertex_sources"], json!([0, 1, 2, 5]));
+        assert_eq!(document["provenance"]["face_sources"], json!([0, 1]));
+    }
+}

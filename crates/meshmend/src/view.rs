@@ -1,0 +1,52 @@
+//! The two ways to look at a file: by its indices, or by its positions.
+
+use meshmend_core::PolygonMesh;
+use meshmend_io::Format;
+use meshmend_repair::{Context, Distance, Pass, PassError, Weld};
+
+/// As what a mesh is judged.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum View {
+    /// As stored: two vertices are one when they have the same index.
+    #[default]
+    Indexed,
+    /// As welded: two vertices are one when they are in the same place.
+    Welded(Distance),
+}
+
+impl View {
+    /// How files of a format are usually judged: by position where the format has no indices, else as stored.
+    pub fn usual_for(format: Format) -> Self {
+        match format {
+            Format::Stl => View::Welded(Distance::Exact),
+            _ => View::Indexed,
+        }
+    }
+
+    /// Its name in reports: `indexed` or `welded`.
+    pub fn name(self) -> &'static str {
+        match self {
+            View::Indexed => "indexed",
+            View::Welded(_) => "welded",
+        }
+    }
+
+    /// The distance within which vertices are one; nothing for the view by index.
+    pub fn distance(self) -> Option<Distance> {
+        match self {
+            View::Indexed => None,
+            View::Welded(distance) => Some(distance),
+        }
+    }
+
+    /// A mesh as it is in this view: the pass `weld` alone, or nothing.
+    ///
+    /// # Errors
+    /// When the distance is none.
+    pub fn of(self, mesh: &PolygonMesh) -> Result<PolygonMesh, PassError> {
+        match self {
+            View::Indexed => Ok(mesh.clone()),
+            View::Welded(distance) => Ok(Weld { distance }.apply(mesh, &Context::default())?.mesh),
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Every malformed file of the corpus ends in a clean error where it has to, and never in a panic.
+//!
+//! A file with the verdict `reject` has to be refused; one with `either` may be refused or read. A refusal names the
+//! file and the place in it, leaves no output behind, and is one message.
+
+use std::ffi::OsStr;
+
+use meshmend_io::{Place, ReadErrorKind, ReadOptions, read};
+use meshmend_tests::corpus::{Entry, corpus};
+use meshmend_tests::each::assert_each;
+use meshmend_tests::program::{self, BAD_INPUT};
+use meshmend_tests::scratch::Scratch;
+
+fn malformed(entries: &[Entry], is_read_here: bool) -> Vec<&Entry> {
+    let of_kind = |entry: &&Entry| entry.verdict().is_some() && entry.is_read_here() == is_read_here;
+    entries.iter().filter(of_kind).collect()
+}
+
+#[test]
+fn the_reader_refuses_what_it_has_to_and_says_where() {
+    let Some(entries) = corpus() else { return };
+    let files = malformed(&entries, true);
+    assert!(files.len() > 80, "only {} files", files.len());
+    assert_each(&files, |entry| {
+        let result = read(&entry.path, &ReadOptions::default());
+        let wrong = match (&result, entry.verdict()) {
+            (Ok(_), Some("either")) => None,
+            (Ok(_), _) => Some("was read".to_owned()),
+            (Err(error), _) => match (&error.kind, error.place) {
+                (ReadErrorKind::Malformed(reason), Place::File) => Some(format!("has no place: {reason}")),
+                (ReadErrorKind::Malformed(_), _) => None,
+                (other, _) => Some(format!("is refused for a reason of another kind: {other}")),
+            },
+        };
+        wrong.map(|wrong| format!("{} {wrong} ({})", entry.name, entry.facts["malformed"]["why"])).into_iter().collect()
+    });
+}
+
+#[test]
+fn the_program_ends_with_one_message_and_no_output() {
+    let Some(entries) = corpus() else { return };
+    assert_each(&malformed(&entries, true), |entry| {
+        let may_be_read = entry.verdict() == Some("either");
+        complaints(entry, may_be_read)
+    });
+}
+
+#[test]
+fn files_in_formats_that_are_not_read_are_bad_input() {
+    let Some(entries) = corpus() else { return };
+    let foreign: Vec<&Entry> = entries.iter().filter(|entry| !entry.is_read_here()).collect();
+    assert!(foreign.len() > 100, "only {} files", foreign.len());
+    assert_each(&foreign, |entry| complaints(entry, false));
+}
+
+/// What is wrong with how the program takes a file that it has to refuse, or may.
+fn complaints(entry: &Entry, may_be_read: bool) -> Vec<String> {
+    let scratch = Scratch::new();
+    let target = scratch.path().join("out.off");
+    let arguments: [&OsStr; 4] =
+        ["repair".as_ref(), entry.path.as_ref(), "-o".as_ref(), target.as_ref()];
+    let output = program::run(arguments);
+    let said = String::from_utf8_lossy(&output.stderr);
+    let status = output.status.code();
+    let mut wrong = Vec::new();
+    let mut complain = |what: String| wrong.push(format!("{}: {what}", entry.name));
+    if may_be_read && status == Some(0) {
+        if scratch.file_names() != ["out.off"] {
+            complain(format!("was read, and wrote {:?}", scratch.file_names()));
+        }
+        return wrong;
+    }
+    if status != Some(BAD_INPUT) {
+        complain(format!("status {status:?}: {said}"));
+    }
+    if said.trim().lines().count() != 1 || !output.stdout.is_empty() {
+        complain(format!("not one message: {said:?} {:?}", String::from_utf8_lossy(&output.stdout)));
+    }
+    let file_name = entry.path.file_name().unwrap().to_string_lossy();
+    if !said.contains(&*file_name) || said.contains("panicked") {
+        complain(format!("the message does not name the file: {said}"));
+    }
+    if !scratch.file_names().is_empty() {
+        complain(format!("left {:?} behind", scratch.file_names()));
+    }
+    wrong
+}

@@ -1,0 +1,144 @@
+//! Every readable file of the corpus, repaired with the default pipeline, is clean in the eyes of an independent
+//! checker, and the repair keeps its other promises: nothing lost without a name, the second repair changes nothing,
+//! and the bytes depend neither on the kernel nor on the number of threads.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use meshmend_core::{DefectKind, PolygonMesh};
+use meshmend_io::{Format, ReadOptions, WriteOptions, encode, read, read_bytes};
+use meshmend_kernels::KernelKind;
+use meshmend_repair::{PassError, Pipeline, Repaired};
+use meshmend_tests::corpus::{Entry, corpus};
+use meshmend_tests::each::assert_each;
+use meshmend_tests::judge::judge_clean;
+use meshmend_tests::scratch::Scratch;
+use rayon::prelude::*;
+
+/// Every file that can be read, the odd ones that the reader need not take among them.
+fn readable(entries: &[Entry]) -> Vec<(&Entry, PolygonMesh)> {
+    let here: Vec<&Entry> = entries.iter().filter(|entry| entry.is_read_here()).collect();
+    let mesh = |entry: &&Entry| read(&entry.path, &ReadOptions::default()).ok().map(|file| file.mesh);
+    here.par_iter().copied().filter_map(|entry| Some((entry, mesh(&entry)?))).collect()
+}
+
+fn repaired(mesh: &PolygonMesh) -> Repaired {
+    Pipeline::default().run(mesh).unwrap()
+}
+
+/// The mesh as an OFF file, which tells vertices apart by index.
+fn off(mesh: &PolygonMesh) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    encode(mesh, &WriteOptions::of(Format::Off), &mut bytes).unwrap();
+    bytes
+}
+
+#[test]
+fn every_repaired_file_is_clean_in_the_eyes_of_the_checker() {
+    let Some(entries) = corpus() else { return };
+    let scratch = Scratch::new();
+    let meshes = readable(&entries);
+    assert!(meshes.len() > 450, "only {} files", meshes.len());
+    let written: Vec<(&str, bool, PathBuf)> = meshes
+        .par_iter()
+        .enumerate()
+        .map(|(number, (entry, mesh))| {
+            let repaired = repaired(mesh);
+            let path = scratch.path().join(format!("{number}.off"));
+            // Without its attributes, as the checker does not know every variant of OFF.
+            std::fs::write(&path, off(&repaired.mesh.with_layers(Vec::new()).unwrap())).unwrap();
+            (entry.name.as_str(), repaired.report.unwrap().orientable, path)
+        })
+        .collect();
+    let paths: Vec<PathBuf> = written.iter().map(|(_, _, path)| path.clone()).collect();
+    let Some(verdicts) = judge_clean(&paths) else { return };
+    let mut wrong = Vec::new();
+    for ((name, is_orientable, _), verdict) in written.iter().zip(&verdicts) {
+        let is_excused = |property: &str| property == "oriented" && !is_orientable;
+        let lacks: Vec<&String> = verdict.lacks.iter().filter(|property| !is_excused(property)).collect();
+        if !lacks.is_empty() {
+            wrong.push(format!("{name} lacks {lacks:?}: {}", verdict.findings["examples"]));
+        }
+    }
+    assert!(wrong.is_empty(), "{} files are not clean:\n{}", wrong.len(), wrong.join("\n"));
+    println!("{} files judged", verdicts.len());
+}
+
+#[test]
+fn a_second_repair_changes_nothing() {
+    let Some(entries) = corpus() else { return };
+    assert_each(&readable(&entries), |(entry, mesh)| {
+        let once = off(&repaired(mesh).mesh);
+        let again = read_bytes(&once, "again.off", &ReadOptions::default()).unwrap().mesh;
+        let second = repaired(&again);
+        let changed: Vec<_> = second.passes.iter().filter(|pass| pass.is_changed).map(|pass| pass.pass).collect();
+        (off(&second.mesh) != once)
+            .then(|| format!("{}: repaired again it differs, by {changed:?}", entry.name))
+            .into_iter()
+            .collect()
+    });
+}
+
+#[test]
+fn every_face_is_there_or_named() {
+    let Some(entries) = corpus() else { return };
+    assert_each(&readable(&entries), |(entry, mesh)| {
+        let repaired = repaired(mesh);
+        let removed: BTreeSet<usize> = repaired.removed_faces.iter().map(|gone| gone.face.0 as usize).collect();
+        let survives = repaired.provenance.faces.survivors(mesh.counts().faces);
+        let unaccounted = (0..mesh.counts().faces).find(|face| survives[*face] == removed.contains(face));
+        let wrong_reason = repaired.removed_faces.iter().find(|gone| !makes_a_face_go(gone.reason));
+        unaccounted
+            .map(|face| format!("{}: f{face} is there {}, and named {}", entry.name, survives[face], !survives[face]))
+            .into_iter()
+            .chain(wrong_reason.map(|gone| format!("{}: {gone:?}", entry.name)))
+            .collect()
+    });
+}
+
+fn makes_a_face_go(reason: DefectKind) -> bool {
+    use DefectKind::{DegenerateFace, DuplicateFace, NonFiniteFace};
+    [DegenerateFace, DuplicateFace, NonFiniteFace].contains(&reason)
+}
+
+#[test]
+fn kept_vertices_stay_where_they_were_to_the_bit() {
+    let Some(entries) = corpus() else { return };
+    assert_each(&readable(&entries), |(entry, mesh)| {
+        let repaired = repaired(mesh);
+        let moved = repaired.provenance.vertices.iter().find(|&(new, old)| {
+            let bits = |p: [f64; 3]| p.map(f64::to_bits);
+            old.is_some_and(|old| bits(repaired.mesh.position(new)) != bits(mesh.position(old)))
+        });
+        moved.map(|(new, old)| format!("{}: {new} is not where {old:?} was", entry.name)).into_iter().collect()
+    });
+}
+
+#[test]
+fn the_bytes_are_the_same_for_any_number_of_threads() {
+    let Some(entries) = corpus() else { return };
+    let meshes = readable(&entries);
+    let results = [1, 2, 8].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        // One after another, so that each repair has the threads to itself.
+        pool.install(|| meshes.iter().map(|(_, mesh)| off(&repaired(mesh).mesh)).collect::<Vec<_>>())
+    });
+    for (number, (entry, _)) in meshes.iter().enumerate() {
+        let [one, two, eight] = [0, 1, 2].map(|i| &results[i][number]);
+        assert!(one == two && two == eight, "{}: threads make a difference", entry.name);
+    }
+}
+
+#[test]
+fn the_bytes_are_the_same_for_every_kernel() {
+    let Some(entries) = corpus() else { return };
+    assert_each(&readable(&entries), |(entry, mesh)| {
+        let expected = off(&repaired(mesh).mesh);
+        let differs = |&kind: &KernelKind| match Pipeline::default().on_kernel(kind).run(mesh) {
+            Ok(other) => (off(&other.mesh) != expected).then(|| format!("{}: {kind} differs", entry.name)),
+            Err(PassError::Refused(_)) if !kind.capabilities().is_permissive() => None,
+            Err(error) => Some(format!("{}: {kind}: {error}", entry.name)),
+        };
+        KernelKind::ALL.iter().skip(1).filter_map(differs).collect()
+    });
+}
