@@ -16,7 +16,6 @@ fn every_hostile_file_ends_as_it_must() {
 
 #[test]
 fn results_in_the_other_formats_are_as_good() {
-    // The file of what is not welded twice: PLY keeps indices too.
     for extension in ["ply", "obj"] {
         run(None, &["--ext", extension]);
     }
@@ -37,13 +36,16 @@ fn every_large_hostile_file_ends_as_it_must() {
     run(Some(scratch.path()), &["--seconds", "120"]);
 }
 
+/// Every file but the one good file in a format that is not read here, which is bad input like any other of it.
+const FILES: &str = r"^(?!glb_ok\.glb$)";
+
 /// Runs the whole set, with the large files of a folder if there is one.
 fn run(big: Option<&Path>, options: &[&str]) {
     let (Some(torture), Some(tool)) = (shared("torture"), shared("tools/run_torture.py")) else { return };
     let Some(python) = python() else { return };
     let mut command = Command::new(python);
     command.env("PYTHONDONTWRITEBYTECODE", "1").arg(tool).arg("--set").arg(torture);
-    command.args(["--ext", "off", "--twice", "--jobs", "2", "--error-status", &BAD_INPUT.to_string()]);
+    command.args(["--ext", "off", "--twice", "--jobs", "2", "--only", FILES, "--error-status", &BAD_INPUT.to_string()]);
     command.args(options);
     if let Some(big) = big {
         command.arg("--big").arg(big);

@@ -70,10 +70,12 @@ pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
 
 impl<'a> Plan<'a> {
     fn of(mesh: &'a PolygonMesh) -> Self {
-        let vertex = |name, width| {
-            layer_of(mesh, name, Domain::Vertex, |layer| is_numeric(layer) && layer.width() == width)
+        // Letters in the header promise columns; without a vertex there is none to tell their kind by.
+        let on_vertices = |name, is_wanted: &dyn Fn(&Layer) -> bool| {
+            layer_of(mesh, name, Domain::Vertex, is_wanted).filter(|_| mesh.counts().vertices > 0)
         };
-        let (normal, vertex_color) = (vertex("normal", 3), layer_of(mesh, "color", Domain::Vertex, is_color));
+        let vertex = |name, width| on_vertices(name, &|layer| is_numeric(layer) && layer.width() == width);
+        let (normal, vertex_color) = (vertex("normal", 3), on_vertices("color", &is_color));
         // Headers that join `ST` with other letters are legal, but many programs don't read them.
         let texcoord = vertex("texcoord", 2).filter(|_| normal.is_none() && vertex_color.is_none());
         Plan { normal, texcoord, vertex_color, face_color: layer_of(mesh, "color", Domain::Face, is_color) }
