@@ -110,12 +110,13 @@ fn edge_incidence(report: &TopologyReport) -> Value {
 /// The groups of faces that are alike either way: each has one first face that repeats no other.
 fn duplicate_groups(report: &TopologyReport) -> Value {
     let kinds = [DefectKind::DuplicateFace, DefectKind::OppositeFace];
-    let pairs = kinds.iter().flat_map(|&kind| report.defects.of_kind(kind)).filter_map(|defect| match defect {
-        Defect::DuplicateFace { face, original } | Defect::OppositeFace { face, original } => {
-            Some((face, original))
-        }
-        _ => None,
-    });
+    let pairs =
+        kinds.iter().flat_map(|&kind| report.defects.of_kind(kind)).filter_map(|defect| match defect {
+            Defect::DuplicateFace { face, original } | Defect::OppositeFace { face, original } => {
+                Some((face, original))
+            }
+            _ => None,
+        });
     let pairs: Vec<(FaceId, FaceId)> = pairs.collect();
     let repeating: BTreeSet<FaceId> = pairs.iter().map(|pair| pair.0).collect();
     let firsts: BTreeSet<FaceId> =
@@ -308,8 +309,10 @@ fn loose_elements_are_those_that_are_stored() {
 #[test]
 fn cracks_close_within_the_manifests_tolerance() {
     let Some(entries) = corpus() else { return };
-    let cracked: Vec<&Entry> =
-        entries.iter().filter(|entry| entry.is_read_here() && entry.facts.get("tolerance_weld").is_some()).collect();
+    let cracked: Vec<&Entry> = entries
+        .iter()
+        .filter(|entry| entry.is_read_here() && entry.facts.get("tolerance_weld").is_some())
+        .collect();
     assert!(!cracked.is_empty());
     assert_each(&cracked, |entry| {
         let expected = &entry.facts["tolerance_weld"];

@@ -32,7 +32,10 @@ fn the_reader_refuses_what_it_has_to_and_says_where() {
                 (other, _) => Some(format!("is refused for a reason of another kind: {other}")),
             },
         };
-        wrong.map(|wrong| format!("{} {wrong} ({})", entry.name, entry.facts["malformed"]["why"])).into_iter().collect()
+        wrong
+            .map(|wrong| format!("{} {wrong} ({})", entry.name, entry.facts["malformed"]["why"]))
+            .into_iter()
+            .collect()
     });
 }
 
@@ -57,8 +60,7 @@ fn files_in_formats_that_are_not_read_are_bad_input() {
 fn complaints(entry: &Entry, may_be_read: bool) -> Vec<String> {
     let scratch = Scratch::new();
     let target = scratch.path().join("out.off");
-    let arguments: [&OsStr; 4] =
-        ["repair".as_ref(), entry.path.as_ref(), "-o".as_ref(), target.as_ref()];
+    let arguments: [&OsStr; 4] = ["repair".as_ref(), entry.path.as_ref(), "-o".as_ref(), target.as_ref()];
     let output = program::run(arguments);
     let said = String::from_utf8_lossy(&output.stderr);
     let status = output.status.code();

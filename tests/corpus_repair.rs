@@ -8,7 +8,10 @@ use std::path::PathBuf;
 use meshmend_core::{DefectKind, PolygonMesh};
 use meshmend_io::{Format, ReadOptions, WriteOptions, encode, read, read_bytes};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{PassError, Pipeline, Repaired};
+use meshmend_repair::{
+    NonOrientable, Orient, PassError, Pipeline, Plan, Repaired, Side, Split, SplitEdges, Triangulate,
+    TriangulateFaces,
+};
 use meshmend_tests::corpus::{Entry, corpus};
 use meshmend_tests::each::assert_each;
 use meshmend_tests::judge::judge_clean;
@@ -35,29 +38,51 @@ fn off(mesh: &PolygonMesh) -> Vec<u8> {
 
 #[test]
 fn every_repaired_file_is_clean_in_the_eyes_of_the_checker() {
+    assert_clean(&Plan::default());
+}
+
+#[test]
+fn files_cut_into_triangles_are_clean() {
+    let triangulate = Triangulate { faces: TriangulateFaces::All };
+    assert_clean(&Plan { triangulate, ..Plan::default() });
+}
+
+#[test]
+fn files_cut_at_every_branching_edge_are_clean() {
+    let split = Split { edges: SplitEdges::Cut, ..Split::default() };
+    let orient = Orient { side: Side::Outward, ..Orient::default() };
+    assert_clean(&Plan { split, orient, ..Plan::default() });
+}
+
+#[test]
+fn non_orientable_files_are_clean_when_cut_open() {
+    let orient = Orient { non_orientable: NonOrientable::Cut, ..Orient::default() };
+    assert_clean(&Plan { orient, ..Plan::default() });
+}
+
+/// Every file repaired by a plan is clean; only what the report calls non-orientable may be oriented inconsistently.
+fn assert_clean(plan: &Plan) {
     let Some(entries) = corpus() else { return };
     let scratch = Scratch::new();
     let meshes = readable(&entries);
     assert!(meshes.len() > 450, "only {} files", meshes.len());
-    let written: Vec<(&str, bool, PathBuf)> = meshes
-        .par_iter()
-        .enumerate()
-        .map(|(number, (entry, mesh))| {
-            let repaired = repaired(mesh);
-            let path = scratch.path().join(format!("{number}.off"));
-            // Without its attributes, as the checker does not know every variant of OFF.
-            std::fs::write(&path, off(&repaired.mesh.with_layers(Vec::new()).unwrap())).unwrap();
-            (entry.name.as_str(), repaired.report.unwrap().orientable, path)
-        })
-        .collect();
-    let paths: Vec<PathBuf> = written.iter().map(|(_, _, path)| path.clone()).collect();
+    let may_stay_twisted = plan.orient.non_orientable == NonOrientable::Report;
+    let repair = |(number, (entry, mesh)): (usize, &(&Entry, PolygonMesh))| {
+        let repaired = plan.pipeline().run(mesh).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
+        let path = scratch.path().join(format!("{number}.off"));
+        // Without its attributes, as the checker does not know every variant of OFF.
+        std::fs::write(&path, off(&repaired.mesh.with_layers(Vec::new()).unwrap())).unwrap();
+        (may_stay_twisted && !repaired.report.unwrap().orientable, path)
+    };
+    let written: Vec<(bool, PathBuf)> = meshes.par_iter().enumerate().map(repair).collect();
+    let paths: Vec<PathBuf> = written.iter().map(|(_, path)| path.clone()).collect();
     let Some(verdicts) = judge_clean(&paths) else { return };
     let mut wrong = Vec::new();
-    for ((name, is_orientable, _), verdict) in written.iter().zip(&verdicts) {
-        let is_excused = |property: &str| property == "oriented" && !is_orientable;
+    for (((entry, _), (is_twisted, _)), verdict) in meshes.iter().zip(&written).zip(&verdicts) {
+        let is_excused = |property: &str| property == "oriented" && *is_twisted;
         let lacks: Vec<&String> = verdict.lacks.iter().filter(|property| !is_excused(property)).collect();
         if !lacks.is_empty() {
-            wrong.push(format!("{name} lacks {lacks:?}: {}", verdict.findings["examples"]));
+            wrong.push(format!("{} lacks {lacks:?}: {}", entry.name, verdict.findings["examples"]));
         }
     }
     assert!(wrong.is_empty(), "{} files are not clean:\n{}", wrong.len(), wrong.join("\n"));
@@ -71,7 +96,8 @@ fn a_second_repair_changes_nothing() {
         let once = off(&repaired(mesh).mesh);
         let again = read_bytes(&once, "again.off", &ReadOptions::default()).unwrap().mesh;
         let second = repaired(&again);
-        let changed: Vec<_> = second.passes.iter().filter(|pass| pass.is_changed).map(|pass| pass.pass).collect();
+        let changed: Vec<_> =
+            second.passes.iter().filter(|pass| pass.is_changed).map(|pass| pass.pass).collect();
         (off(&second.mesh) != once)
             .then(|| format!("{}: repaired again it differs, by {changed:?}", entry.name))
             .into_iter()
@@ -84,12 +110,15 @@ fn every_face_is_there_or_named() {
     let Some(entries) = corpus() else { return };
     assert_each(&readable(&entries), |(entry, mesh)| {
         let repaired = repaired(mesh);
-        let removed: BTreeSet<usize> = repaired.removed_faces.iter().map(|gone| gone.face.0 as usize).collect();
+        let removed: BTreeSet<usize> =
+            repaired.removed_faces.iter().map(|gone| gone.face.0 as usize).collect();
         let survives = repaired.provenance.faces.survivors(mesh.counts().faces);
         let unaccounted = (0..mesh.counts().faces).find(|face| survives[*face] == removed.contains(face));
         let wrong_reason = repaired.removed_faces.iter().find(|gone| !makes_a_face_go(gone.reason));
         unaccounted
-            .map(|face| format!("{}: f{face} is there {}, and named {}", entry.name, survives[face], !survives[face]))
+            .map(|face| {
+                format!("{}: f{face} is there {}, and named {}", entry.name, survives[face], !survives[face])
+            })
             .into_iter()
             .chain(wrong_reason.map(|gone| format!("{}: {gone:?}", entry.name)))
             .collect()
@@ -110,7 +139,10 @@ fn kept_vertices_stay_where_they_were_to_the_bit() {
             let bits = |p: [f64; 3]| p.map(f64::to_bits);
             old.is_some_and(|old| bits(repaired.mesh.position(new)) != bits(mesh.position(old)))
         });
-        moved.map(|(new, old)| format!("{}: {new} is not where {old:?} was", entry.name)).into_iter().collect()
+        moved
+            .map(|(new, old)| format!("{}: {new} is not where {old:?} was", entry.name))
+            .into_iter()
+            .collect()
     });
 }
 

@@ -22,7 +22,9 @@ impl KernelTask for Report<'_> {
 
 /// The oracle's keys of a report.
 fn agrees(report: &Value, oracle: &Value) -> Result<(), String> {
-    let (Value::Object(report), Value::Object(oracle)) = (report, oracle) else { return Err("no object".into()) };
+    let (Value::Object(report), Value::Object(oracle)) = (report, oracle) else {
+        return Err("no object".into());
+    };
     for (key, wanted) in oracle {
         if report.get(key) != Some(wanted) {
             return Err(format!("{key} is {:?}, not {wanted}", report.get(key)));
@@ -41,7 +43,9 @@ fn check_world(soup: &Soup) -> Result<usize, String> {
                 agrees(&report, &wanted).map_err(|e| format!("{kernel}: {e}"))?;
                 held += 1;
             }
-            Err(refusal) if refusal.defects.is_empty() => return Err(format!("{kernel} refuses without a reason")),
+            Err(refusal) if refusal.defects.is_empty() => {
+                return Err(format!("{kernel} refuses without a reason"));
+            }
             Err(_) if kernel.capabilities().is_permissive() => return Err(format!("{kernel} refuses")),
             Err(_) => {}
         }

@@ -45,7 +45,17 @@ fn run(big: Option<&Path>, options: &[&str]) {
     let Some(python) = python() else { return };
     let mut command = Command::new(python);
     command.env("PYTHONDONTWRITEBYTECODE", "1").arg(tool).arg("--set").arg(torture);
-    command.args(["--ext", "off", "--twice", "--jobs", "2", "--only", FILES, "--error-status", &BAD_INPUT.to_string()]);
+    command.args([
+        "--ext",
+        "off",
+        "--twice",
+        "--jobs",
+        "2",
+        "--only",
+        FILES,
+        "--error-status",
+        &BAD_INPUT.to_string(),
+    ]);
     command.args(options);
     if let Some(big) = big {
         command.arg("--big").arg(big);

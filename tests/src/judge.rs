@@ -46,7 +46,11 @@ pub fn judge_clean(files: &[PathBuf]) -> Option<Vec<Verdict>> {
 
 fn judge_some(python: &str, checker: &Path, files: &[PathBuf]) -> Vec<Verdict> {
     let mut command = Command::new(python);
-    command.env("PYTHONDONTWRITEBYTECODE", "1").arg(checker).args(["--json", "--require", "clean"]).args(files);
+    command
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .arg(checker)
+        .args(["--json", "--require", "clean"])
+        .args(files);
     let output = command.output().expect("the interpreter runs");
     let text = String::from_utf8_lossy(&output.stdout);
     let lines: Vec<&str> = text.lines().collect();

@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal, Write};
 
 use crate::failure::Failure;
-use crate::render::Style;
+use crate::render::{Style, printable};
 
 /// Standard output, in which a reader that has gone away is no error.
 pub(crate) struct Console {
@@ -46,6 +46,7 @@ impl Console {
 
 /// Tells why something was not done. There is nowhere to tell if that fails.
 pub(crate) fn complain(failure: &Failure) {
-    let text = format!("meshmend: {}\n", failure.message.trim_end());
+    let lines: Vec<String> = failure.message.trim_end().lines().map(printable).collect();
+    let text = format!("meshmend: {}\n", lines.join("\n"));
     io::stderr().lock().write_all(text.as_bytes()).ok();
 }

@@ -5,7 +5,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use meshmend::repair::{Duplicates, LooseElements, NonFinite, NonOrientable, Side, SplitEdges, TriangulateFaces};
+use meshmend::repair::{
+    Duplicates, LooseElements, NonFinite, NonOrientable, Side, SplitEdges, TriangulateFaces,
+};
 use meshmend::{PassKind, Plan};
 
 use crate::failure::Failure;
@@ -256,7 +258,8 @@ fn read_plan(path: &Path) -> Result<Plan, Failure> {
     let failed = |reason: String| Failure::usage(format!("{}: {reason}", path.display()));
     let mut text = String::new();
     let file = File::open(path).map_err(|error| failed(error.to_string()))?;
-    let length = file.take(LONGEST_PLAN).read_to_string(&mut text).map_err(|error| failed(error.to_string()))?;
+    let length =
+        file.take(LONGEST_PLAN).read_to_string(&mut text).map_err(|error| failed(error.to_string()))?;
     if length as u64 == LONGEST_PLAN {
         return Err(failed("too long for a plan".to_owned()));
     }
@@ -304,7 +307,8 @@ mod tests {
     #[test]
     fn off_leaves_a_pass_out() {
         let options = ["weld", "clean", "orient", "split", "triangulate", "compact"];
-        let options: Vec<String> = options.iter().flat_map(|pass| [format!("--{pass}"), "off".into()]).collect();
+        let options: Vec<String> =
+            options.iter().flat_map(|pass| [format!("--{pass}"), "off".into()]).collect();
         let options: Vec<&str> = options.iter().map(String::as_str).collect();
         assert_eq!(plan(&options).unwrap().passes, [PassKind::Recompute]);
     }

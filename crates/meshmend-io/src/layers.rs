@@ -58,8 +58,18 @@ pub(crate) fn layer_losses(mesh: &PolygonMesh, written: &[&Layer]) -> Vec<Loss> 
 
 fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
     let (domain, name) = (domain_name(layer.domain()), layer.name());
-    Loss::if_any(LossKind::Layer, count, |count| {
+    let of_elements = Loss::if_any(LossKind::Layer, count, |count| {
         format!("{domain} attribute `{name}` of {count} {}", elements(layer))
+    });
+    of_elements.or_else(|| unused_layer_loss(layer))
+}
+
+/// The loss of a pool of values none of which any element uses, in a format that stores values with elements.
+pub(crate) fn unused_layer_loss(layer: &Layer) -> Option<Loss> {
+    let (domain, name) = (domain_name(layer.domain()), layer.name());
+    let values = if absent(layer) == layer.element_count() { layer.value_count() } else { 0 };
+    Loss::if_any(LossKind::Layer, values, |count| {
+        format!("{count} values of the {domain} attribute `{name}`, which no {domain} uses")
     })
 }
 

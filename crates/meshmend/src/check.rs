@@ -145,7 +145,8 @@ impl CheckReport {
     ///
     /// Polygons are no news to who has them, and faces that are not finite are told by their vertices.
     pub fn listed_kinds(&self) -> impl Iterator<Item = DefectKind> + '_ {
-        let unasked = |kind: &DefectKind| !matches!(kind, DefectKind::PolygonFace | DefectKind::NonFiniteFace);
+        let unasked =
+            |kind: &DefectKind| !matches!(kind, DefectKind::PolygonFace | DefectKind::NonFiniteFace);
         DefectKind::ALL.iter().copied().filter(unasked).filter(|&kind| self.count(kind) > 0)
     }
 

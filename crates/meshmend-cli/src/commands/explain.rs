@@ -22,7 +22,11 @@ impl Explain {
             None => render::glossary(style),
             Some(name) => entry(name)
                 .map(|(heading, text)| render::explanation(&heading, text, style))
-                .ok_or_else(|| Failure::usage(format!("`{name}` is no defect, pass or kernel; `meshmend explain` lists them")))?,
+                .ok_or_else(|| {
+                    Failure::usage(format!(
+                        "`{name}` is no defect, pass or kernel; `meshmend explain` lists them"
+                    ))
+                })?,
         };
         Console::open().write(&text)?;
         Ok(Status::Done)

@@ -38,7 +38,8 @@ impl Kernels {
             let file = read(path)?;
             let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
             let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
-            let trials: Vec<Trial> = KernelKind::ALL.iter().map(|&kernel| trial(kernel, mesh.complex())).collect();
+            let trials: Vec<Trial> =
+                KernelKind::ALL.iter().map(|&kernel| trial(kernel, mesh.complex())).collect();
             text.push('\n');
             text.push_str(&render::trials(&name(path), mesh.complex().proper_face_count(), &trials));
         }

@@ -199,10 +199,12 @@ impl From<io::Error> for Interrupted {
 fn is_same_file(one: &Path, other: &Path) -> bool {
     let whole = |path: &Path| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        path.canonicalize().or_else(|_| folder.canonicalize().map(|folder| match path.file_name() {
-            Some(name) => folder.join(name),
-            None => folder,
-        }))
+        path.canonicalize().or_else(|_| {
+            folder.canonicalize().map(|folder| match path.file_name() {
+                Some(name) => folder.join(name),
+                None => folder,
+            })
+        })
     };
     one == other || matches!((whole(one), whole(other)), (Ok(one), Ok(other)) if one == other)
 }

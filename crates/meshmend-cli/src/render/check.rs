@@ -63,7 +63,13 @@ fn view(document: &CheckDocument) -> String {
 fn figures(report: &TopologyReport) -> Vec<String> {
     let row = |label: &str, value: String, remark: String| vec![label.to_owned(), value, remark];
     let betti = |numbers: Option<[u64; 3]>| figure(numbers.map(|[a, b, c]| format!("{a} {b} {c}")));
-    let why = |name: &str| report.undefined.iter().find(|u| u.figure == name).map_or(String::new(), |u| reason(u.reason).to_owned());
+    let why = |name: &str| {
+        report
+            .undefined
+            .iter()
+            .find(|u| u.figure == name)
+            .map_or(String::new(), |u| reason(u.reason).to_owned())
+    };
     let edges = format!(
         "{} interior, {} boundary, {} non-manifold",
         report.interior_edges, report.boundary_edges, report.non_manifold_edges
@@ -72,9 +78,17 @@ fn figures(report: &TopologyReport) -> Vec<String> {
         row("vertices", report.vertices.to_string(), beside(report.unreferenced_vertices, "in no face")),
         row("edges", report.edges.to_string(), edges),
         row("faces", report.faces.to_string(), beside(report.degenerate_faces, "degenerate")),
-        row("Euler characteristic", report.euler_characteristic.to_string(), "vertices − edges + faces".into()),
+        row(
+            "Euler characteristic",
+            report.euler_characteristic.to_string(),
+            "vertices − edges + faces".into(),
+        ),
         row("components", report.components.to_string(), String::new()),
-        row("patches", report.patches.to_string(), beside_of(report.non_orientable_patches, "not orientable")),
+        row(
+            "patches",
+            report.patches.to_string(),
+            beside_of(report.non_orientable_patches, "not orientable"),
+        ),
         row("boundary loops", figure(report.boundary_loops), why("boundary_loops")),
         row("genus", figure(report.genus), why("genus")),
         row("cross-caps", figure(report.cross_caps), why("cross_caps")),
@@ -167,7 +181,11 @@ fn group(group: &DefectGroup) -> Vec<String> {
 fn placed(item: &PlacedDefect) -> String {
     let points: Vec<String> = item.positions.iter().take(MOST_POINTS).map(point).collect();
     let more = if item.positions.len() > MOST_POINTS { " …" } else { "" };
-    if points.is_empty() { item.defect.to_string() } else { format!("{}, at {}{more}", item.defect, points.join(" ")) }
+    if points.is_empty() {
+        item.defect.to_string()
+    } else {
+        format!("{}, at {}{more}", item.defect, points.join(" "))
+    }
 }
 
 fn point(point: &[f64; 3]) -> String {
@@ -183,7 +201,11 @@ fn coordinate(value: f64) -> String {
 fn kernels(document: &CheckDocument) -> Vec<String> {
     let verdict = |kernel: &meshmend::KernelVerdict| {
         let refusals = kernel.refusals.iter().map(|(&kind, &count)| (kind, count));
-        let text = if kernel.holds { "holds it".to_owned() } else { format!("refuses: {}", kinds_with_counts(refusals)) };
+        let text = if kernel.holds {
+            "holds it".to_owned()
+        } else {
+            format!("refuses: {}", kinds_with_counts(refusals))
+        };
         vec![kernel.name.to_owned(), text]
     };
     table::lines(&document.kernels.iter().map(verdict).collect::<Vec<_>>(), &[])

@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 const ABSENT: &str = "–";
 
 /// A text from a file or a file name, without characters that would take hold of a terminal.
-fn printable(text: &str) -> String {
+pub(crate) fn printable(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 

@@ -1,7 +1,7 @@
 //! What a repair did: before and after side by side, pass by pass, what went, what is left.
 
-use meshmend::Severity;
 use meshmend::report::{FigureChanges, PassDocument, RepairDocument};
+use meshmend::{PassKind, Severity};
 
 use super::check::{column, defects};
 use super::table::{self, Align};
@@ -47,7 +47,7 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
         (document.notes.len() as u64, "notes of the reader"),
     ];
     let changes = changes.into_iter().filter(|&(count, _)| count > 0);
-    parts.extend(changes.map(|(count, what)| format!("{count} {what}")));
+    parts.extend(changes.map(|(count, what)| format!("{what}: {count}")));
     if !document.passes.iter().any(|pass| pass.changed) {
         parts.push("nothing to mend".to_owned());
     }
@@ -70,10 +70,12 @@ fn side_by_side(document: &RepairDocument) -> Vec<String> {
 
 fn pass(document: &PassDocument) -> Vec<String> {
     let mended = kinds_with_counts(counts(&document.mended));
-    let text = match (document.changed, mended.is_empty()) {
-        (false, _) => "nothing to do".to_owned(),
-        (true, true) => "changed the mesh".to_owned(),
-        (true, false) => mended,
+    let text = match (document.pass, document.changed, mended.is_empty()) {
+        (PassKind::Recompute, ..) => "looked at the result afresh".to_owned(),
+        (_, false, _) => "nothing to do".to_owned(),
+        (_, true, true) => "changed the mesh".to_owned(),
+        (PassKind::Weld, true, false) => format!("vertices joined to others: {}", joined(document)),
+        (_, true, false) => mended,
     };
     let figures = match document.delta {
         Some(delta) if document.changed => format!("  [{}]", deltas(delta)),
@@ -87,6 +89,11 @@ fn pass(document: &PassDocument) -> Vec<String> {
     lines
 }
 
+/// How many vertices welding joined. The kind's own title speaks of what exact welding would do.
+fn joined(document: &PassDocument) -> u64 {
+    counts(&document.mended).map(|(_, count)| count).sum()
+}
+
 fn deltas(delta: FigureChanges) -> String {
     let loops = figure(delta.boundary_loops.map(change));
     format!("Δχ {}, Δs {}, Δb {loops}", change(delta.euler_characteristic), change(delta.components))
@@ -98,7 +105,9 @@ fn removed(document: &RepairDocument) -> Vec<String> {
         return Vec::new();
     }
     let mut lines = vec![kinds_with_counts(removed.by_reason.iter().map(|(&kind, &count)| (kind, count)))];
-    lines.extend(removed.items.iter().map(|face| format!("  {} by {}: {}", face.face, face.pass, face.reason)));
+    lines.extend(
+        removed.items.iter().map(|face| format!("  {} by {}: {}", face.face, face.pass, face.reason)),
+    );
     let hidden = removed.count - removed.items.len() as u64;
     if hidden > 0 {
         lines.push(format!("  … and {hidden} more"));

@@ -35,7 +35,8 @@ mod tests {
 
     #[test]
     fn columns_stand_under_one_another_whatever_their_letters() {
-        let rows = [vec!["Möbius band", "1"], vec!["disc", "12", "x"]].map(|row| row.iter().map(|c| c.to_string()).collect());
+        let rows = [vec!["Möbius band", "1"], vec!["disc", "12", "x"]]
+            .map(|row| row.iter().map(|c| c.to_string()).collect());
         assert_eq!(lines(&rows, &[Align::Left, Align::Right]), ["Möbius band   1", "disc         12  x"]);
     }
 }

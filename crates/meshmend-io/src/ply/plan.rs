@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
-use crate::layers::{absent, domain_name, elements, layer_losses, metadata_losses, one_line, point_loss};
+use crate::layers::{
+    absent, domain_name, elements, layer_losses, metadata_losses, one_line, point_loss, unused_layer_loss,
+};
 use crate::ply::layers::usual;
 use crate::ply::scalar::Scalar;
 use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES};
@@ -47,6 +49,7 @@ const KEYS: [&str; 3] = ["comment", "obj_info", PROPERTY_NAMES];
 pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
     let plan = Plan::of(mesh);
     let mut losses = layer_losses(mesh, &plan.layers());
+    losses.extend(plan.layers().into_iter().filter_map(unused_layer_loss));
     losses.extend(plan.losses);
     losses.extend(point_loss(mesh));
     losses.extend(metadata_losses(mesh, &KEYS));

@@ -22,7 +22,8 @@ mod repair_document;
 pub use check_document::{CheckDocument, DefectGroup};
 pub use listing::{Listing, MOST_POSITIONS, PlacedDefect};
 pub use repair_document::{
-    BeforeAndAfter, CreatedVertex, FigureChanges, NamedFace, PassDocument, ProvenanceDocument, RemovedFaces, RepairDocument,
+    BeforeAndAfter, CreatedVertex, FigureChanges, NamedFace, PassDocument, ProvenanceDocument, RemovedFaces,
+    RepairDocument,
 };
 use serde::Serialize;
 

@@ -220,7 +220,8 @@ mod tests {
 
     #[test]
     fn a_repair_is_told_pass_by_pass() {
-        let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0; 3]];
+        let positions =
+            [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0; 3]];
         let faces = [0, 1, 2, 3, 4, 5, 0, 1, 1, 0, 0, 0].map(VertexId).to_vec();
         let mesh = PolygonMesh::new(positions.to_vec(), FaceTable::triangles(6, faces).unwrap()).unwrap();
         let repaired = Pipeline::default().with_figures().run(&mesh).unwrap();

@@ -1,0 +1,39 @@
+//! What fuzzing checks, apart from the engine that makes up the inputs.
+//!
+//! A target is a function from bytes that panics where a promise is broken. Reader targets take the bytes as a file;
+//! the others make a small mesh, and what to do with it, out of them ([`input`]). The programs in `fuzz_targets`
+//! hand these functions to libFuzzer; `cargo test` calls the same functions with every input that ever broke one
+//! (`fuzz/regressions`).
+
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+mod compare;
+pub mod input;
+mod kernels;
+mod readers;
+mod repairs;
+mod round_trip;
+
+pub use kernels::{analysis, kernels};
+pub use readers::{obj, off, ply, sniff, stl};
+pub use repairs::{passes, plan, repair};
+pub use round_trip::round_trip;
+
+/// A fuzz target.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// Its name, which is that of its program and of its folders.
+    pub name: &'static str,
+    /// Panics where the bytes break a promise.
+    pub check: fn(&[u8]),
+}
+
+macro_rules! targets {
+    ($($name:ident)*) => {
+        /// Every target.
+        pub const TARGETS: &[Target] = &[$(Target { name: stringify!($name), check: $name },)*];
+    };
+}
+
+targets!(obj ply stl off sniff round_trip kernels analysis repair passes plan);

@@ -1,0 +1,122 @@
+//! Readers: any bytes end in a mesh that is well formed or in an error, and what was read is written so that it
+//! reads back the same.
+
+use meshmend_core::PolygonMesh;
+use meshmend_io::{
+    Format, Limits, LossKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions, WriteOptions,
+};
+use meshmend_io::{encode, read_bytes};
+
+use crate::compare::{assert_well_formed, position_keys, same_layer};
+
+/// The bytes as an OBJ file.
+pub fn obj(data: &[u8]) {
+    read_and_write(Format::Obj, data);
+}
+
+/// The bytes as a PLY file.
+pub fn ply(data: &[u8]) {
+    read_and_write(Format::Ply, data);
+}
+
+/// The bytes as an STL file.
+pub fn stl(data: &[u8]) {
+    read_and_write(Format::Stl, data);
+}
+
+/// The bytes as an OFF file.
+pub fn off(data: &[u8]) {
+    read_and_write(Format::Off, data);
+}
+
+/// The bytes as a file whose name tells nothing: what the content tells is what is read, and a name that tells a
+/// format is believed.
+pub fn sniff(data: &[u8]) {
+    let told = Format::from_content(data);
+    match read_bytes(data, "mesh", &ReadOptions::default()) {
+        Ok(file) => {
+            assert_eq!(Some(file.format), told);
+            assert_well_formed(&file.mesh);
+        }
+        Err(error) => {
+            assert_eq!(matches!(error.kind, ReadErrorKind::UnknownFormat), told.is_none(), "{error}");
+        }
+    }
+    for &format in Format::ALL {
+        let name = format!("mesh.{}", format.extensions()[0]);
+        match read_bytes(data, &name, &ReadOptions::default()) {
+            Ok(file) => assert_eq!(file.format, format),
+            Err(error) => assert_located(&error, data),
+        }
+    }
+}
+
+/// Reads bytes as a format.
+pub(crate) fn read_as(format: Format, data: &[u8]) -> Result<ReadFile, ReadError> {
+    read_bytes(data, "mesh", &ReadOptions { format: Some(format), ..ReadOptions::default() })
+}
+
+fn read_and_write(format: Format, data: &[u8]) {
+    match read_as(format, data) {
+        Ok(file) => {
+            assert_eq!(file.format, format);
+            assert_well_formed(&file.mesh);
+            assert_within_limits(format, data, &file.mesh);
+            assert_kept(format, &file.mesh);
+        }
+        Err(error) => assert_located(&error, data),
+    }
+}
+
+/// An error says where in the file it is, or that it is about all of it, on one line of text.
+fn assert_located(error: &ReadError, data: &[u8]) {
+    let lines = data.iter().filter(|b| matches!(b, b'\n' | b'\r')).count() as u64 + 1;
+    match error.place {
+        Place::File => {}
+        Place::Line(line) => assert!((1..=lines).contains(&line), "{error}: there are {lines} lines"),
+        Place::Byte(byte) => assert!(byte <= data.len() as u64, "{error}: there are {} bytes", data.len()),
+    }
+    assert!(!error.to_string().contains('\n'), "{error}");
+}
+
+/// A limit of one less than there is refuses the file, and one of just that much takes it.
+fn assert_within_limits(format: Format, data: &[u8], mesh: &PolygonMesh) {
+    let counts = mesh.counts();
+    let read = |limits| read_bytes(data, "mesh", &ReadOptions { format: Some(format), limits });
+    let faces = counts.faces as u64;
+    if faces > 0 {
+        let error =
+            read(Limits { max_faces: faces - 1, ..Limits::default() }).expect_err("a limit is exceeded");
+        assert!(matches!(error.kind, ReadErrorKind::LimitExceeded { .. }), "{error}");
+    }
+    let least = Limits { max_faces: faces, max_corners: counts.corners as u64, ..Limits::default() };
+    assert!(read(least).is_ok(), "refused within its limits");
+}
+
+/// Writes a mesh in the format from which it was read, and reads it again: the same mesh, unless a loss is named.
+fn assert_kept(format: Format, mesh: &PolygonMesh) {
+    for &encoding in format.encodings() {
+        let options = WriteOptions::of(format).with_encoding(encoding);
+        let mut bytes = Vec::new();
+        let losses = encode(mesh, &options, &mut bytes).expect("what was read can be written");
+        let again = read_as(format, &bytes).expect("what was written can be read").mesh;
+        let loses = |kinds: &[LossKind]| losses.iter().any(|loss| kinds.contains(&loss.kind));
+        let of_vertices = [LossKind::SharedVertices, LossKind::UnusedVertices, LossKind::Precision];
+        if !loses(&of_vertices) && !loses(&[LossKind::Polygons, LossKind::ShortFaces]) {
+            assert_eq!(position_keys(&again), position_keys(mesh), "{format} {encoding}");
+            assert_eq!(again.faces(), mesh.faces(), "{format} {encoding}");
+        }
+        if losses.is_empty() {
+            for layer in mesh.layers() {
+                assert!(
+                    same_layer(layer, &again),
+                    "{format} {encoding}: {layer:?} became {:?}",
+                    again.layers()
+                );
+            }
+            assert_eq!(again.loose_edges(), mesh.loose_edges(), "{format} {encoding}");
+            assert_eq!(again.loose_points(), mesh.loose_points(), "{format} {encoding}");
+            assert_eq!(again.metadata(), mesh.metadata(), "{format} {encoding}");
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! Repairs: the default pipeline keeps its promises to the letter, and any other keeps those that it makes.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use arbitrary::{Arbitrary, Unstructured};
+use meshmend_core::{Carry, CornerId, DefectKind, Domain, FaceId, Layer, PolygonMesh, Values, VertexId};
+use meshmend_kernels::KernelKind;
+use meshmend_repair::{AnyPass, Context, PassError, PassKind, Pipeline, Plan, Repaired, SplitEdges};
+use meshmend_testkit::{Soup, oracle, reference};
+use meshmend_topology::TopologyReport;
+
+use crate::compare::{assert_well_formed, position_keys};
+use crate::input::{SmallMesh, Work};
+use crate::kernels::Report;
+
+/// A small mesh through the default pipeline: its postconditions hold, its record is true, doing it again changes
+/// nothing, every kernel gives the same, and without `triangulate` it is what the reference gives.
+pub fn repair(data: &[u8]) {
+    let Ok(SmallMesh(soup)) = SmallMesh::arbitrary(&mut Unstructured::new(data)) else { return };
+    let mesh = numbered(&soup);
+    let pipeline = Pipeline::default();
+    let repaired = pipeline.run(&mesh).expect("the default pipeline takes any mesh");
+    assert_clean(&repaired.mesh);
+    assert_true_record(&mesh, &repaired);
+    assert_corners_kept_their_points(&mesh, &repaired);
+    let again = pipeline.run(&repaired.mesh).expect("a repaired mesh can be repaired");
+    assert_same_mesh(&again.mesh, &repaired.mesh);
+    assert!(again.provenance.is_same() && again.removed_faces.is_empty());
+    assert_every_kernel_agrees(&pipeline, &mesh, &Ok(repaired));
+    for (edges, split) in
+        [(SplitEdges::Sheets, reference::Split::Sheets), (SplitEdges::Cut, reference::Split::Cut)]
+    {
+        let mut plan = Plan::default().without(PassKind::Triangulate);
+        plan.split.edges = edges;
+        let repaired = plan.pipeline().run(&mesh).expect("the default pipeline takes any mesh");
+        assert_is_reference(&repaired, &reference::repair_soup(&soup, split));
+    }
+}
+
+/// A small mesh through any passes in any order with any options, and each of these passes alone.
+pub fn passes(data: &[u8]) {
+    let Ok(Work { mesh: SmallMesh(soup), plan, kernel }) = Work::arbitrary(&mut Unstructured::new(data))
+    else {
+        return;
+    };
+    let mesh = numbered(&soup);
+    let pipeline = plan.pipeline();
+    let result = pipeline.run(&mesh);
+    assert_honest(&result);
+    if let Ok(repaired) = &result {
+        assert_well_formed(&repaired.mesh);
+        assert_true_record(&mesh, repaired);
+    }
+    assert_every_kernel_agrees(&pipeline, &mesh, &result);
+    if let Ok(repaired) = pipeline.clone().on_kernel(kernel).run(&mesh) {
+        assert_same_mesh(&repaired.mesh, &result.expect("the default kernel holds what another does").mesh);
+    }
+    let kinds: BTreeMap<PassKind, &AnyPass> =
+        pipeline.passes().iter().map(|pass| (pass.kind(), pass)).collect();
+    kinds.values().for_each(|pass| assert_promises(pass, &mesh));
+}
+
+/// The bytes as a plan file: an error, or a plan that is written and read as the same plan, and runs.
+pub fn plan(data: &[u8]) {
+    let Ok(text) = std::str::from_utf8(data) else { return };
+    let Ok(mut plan) = Plan::from_toml(text) else { return };
+    let written = toml::to_string(&plan).expect("a plan can be written");
+    let again = Plan::from_toml(&written).expect("a written plan can be read");
+    assert_eq!(toml::to_string(&again).expect("a plan can be written"), written);
+    plan.passes.truncate(16);
+    assert_honest(&plan.pipeline().run(&numbered(&troubled())));
+}
+
+/// Something of everything: a pinch, a book of three pages, faces there twice, coincident and infinite points.
+fn troubled() -> Soup {
+    let faces: [&[u32]; 9] = [
+        &[0, 1, 2],
+        &[0, 1, 3],
+        &[0, 4, 1],
+        &[5, 6, 7],
+        &[5, 6, 7],
+        &[0, 8, 9, 2, 8],
+        &[2, 2, 3],
+        &[3, 9, 10],
+        &[1, 4],
+    ];
+    let mut soup = Soup::generic(11, faces);
+    (soup.positions[5], soup.positions[10]) = (soup.positions[0], [f64::INFINITY; 3]);
+    soup
+}
+
+/// A mesh each of whose corners and faces carries its own number.
+fn numbered(soup: &Soup) -> PolygonMesh {
+    let mesh = soup.mesh();
+    let counts = mesh.counts();
+    let layer = |name, domain, count: usize| {
+        Layer::direct(name, domain, 1, Carry::Clear, Values::U32((0..count as u32).collect()))
+    };
+    let layers = vec![
+        layer("corner number", Domain::Corner, counts.corners),
+        layer("face number", Domain::Face, counts.faces),
+    ];
+    mesh.with_layers(layers).expect("the layers fit")
+}
+
+/// No error blames the program itself.
+fn assert_honest(result: &Result<Repaired, PassError>) {
+    assert!(
+        !matches!(result, Err(PassError::Promise { .. } | PassError::Draft(_))),
+        "{:?}",
+        result.as_ref().err()
+    );
+}
+
+fn assert_same_mesh(one: &PolygonMesh, other: &PolygonMesh) {
+    assert_eq!(position_keys(one), position_keys(other));
+    assert_eq!(one.faces(), other.faces());
+    assert_eq!(one.layers(), other.layers());
+}
+
+fn assert_clean(mesh: &PolygonMesh) {
+    let soup = Soup::of_mesh(mesh);
+    assert_eq!(reference::broken_postconditions(soup.vertex_count(), &soup.faces), [""; 0]);
+    let report = oracle::report(&soup);
+    assert!(report.manifold && report.non_finite_vertices == 0, "{report:?}");
+    assert!(report.consistently_oriented || !report.orientable, "{report:?}");
+}
+
+/// Each new face and corner is the old one that the record says, and each old face is there or named as removed.
+fn assert_true_record(old: &PolygonMesh, repaired: &Repaired) {
+    let (new, record) = (&repaired.mesh, &repaired.provenance);
+    let number_of = |name, domain, element| {
+        let layer = new.layer(name, domain).expect("layers are carried");
+        layer.value_of(element).map(|value| value as u32)
+    };
+    let flipped: BTreeSet<FaceId> = record.flipped.iter().copied().collect();
+    for face in new.faces().faces() {
+        let source = record.faces.of(face).expect("no pass adds faces");
+        assert_eq!(number_of("face number", Domain::Face, face.0 as usize), Some(source.0));
+        let mut places = Vec::new();
+        for corner in new.faces().face_corners(face) {
+            let old_corner = record.corners.of(corner);
+            assert_eq!(
+                number_of("corner number", Domain::Corner, corner.0 as usize),
+                old_corner.map(|c| c.0)
+            );
+            assert!(
+                old_corner.is_none_or(|c| old.faces().corner_face(c) == source),
+                "{corner} is of another face"
+            );
+            places.extend(old_corner);
+        }
+        assert_runs_round(places, flipped.contains(&face));
+    }
+    let created: BTreeSet<VertexId> = record.created.iter().map(|(vertex, _)| *vertex).collect();
+    for (vertex, source) in record.vertices.iter() {
+        assert_eq!(source.is_none(), created.contains(&vertex), "{vertex}");
+    }
+    let survivors: BTreeSet<FaceId> = record.faces.iter().filter_map(|(_, source)| source).collect();
+    let removed: BTreeSet<FaceId> = repaired.removed_faces.iter().map(|removed| removed.face).collect();
+    assert!(survivors.is_disjoint(&removed), "a face is there and removed");
+    assert_eq!(survivors.len() + removed.len(), old.counts().faces, "a face went without a word");
+}
+
+/// Corners of a face, kept or reversed, ascend but for one step round the end.
+fn assert_runs_round(mut places: Vec<CornerId>, is_flipped: bool) {
+    if is_flipped {
+        places.reverse();
+    }
+    let descents = (0..places.len()).filter(|&i| places[i] >= places[(i + 1) % places.len()]).count();
+    assert!(descents <= 1, "{places:?}");
+}
+
+/// No corner moved, and each vertex has its source's point to the bit.
+fn assert_corners_kept_their_points(old: &PolygonMesh, repaired: &Repaired) {
+    let (new, record) = (&repaired.mesh, &repaired.provenance);
+    for (corner, source) in record.corners.iter() {
+        let Some(source) = source else { continue };
+        let (here, there) = (new.faces().corner_vertex(corner), old.faces().corner_vertex(source));
+        assert_eq!(new.position(here), old.position(there), "{corner} moved");
+    }
+    for (vertex, source) in record.vertices.iter() {
+        let Some(source) = source else { continue };
+        assert_eq!(
+            new.position(vertex).map(f64::to_bits),
+            old.position(source).map(f64::to_bits),
+            "{vertex} moved"
+        );
+    }
+}
+
+/// Every kernel that can hold any mesh gives the same mesh, record and error.
+fn assert_every_kernel_agrees(pipeline: &Pipeline, mesh: &PolygonMesh, result: &Result<Repaired, PassError>) {
+    for &kernel in KernelKind::ALL.iter().filter(|kind| kind.capabilities().is_permissive()) {
+        match (result, &pipeline.clone().on_kernel(kernel).run(mesh)) {
+            (Ok(one), Ok(other)) => {
+                assert_same_mesh(&one.mesh, &other.mesh);
+                assert_eq!(one.provenance, other.provenance, "{kernel}");
+                assert_eq!(one.removed_faces, other.removed_faces, "{kernel}");
+            }
+            (Err(one), Err(other)) => assert_eq!(one.to_string(), other.to_string(), "{kernel}"),
+            (one, other) => panic!("{kernel}: {:?} became {:?}", one.as_ref().err(), other.as_ref().err()),
+        }
+    }
+}
+
+fn assert_is_reference(repaired: &Repaired, wanted: &reference::Repaired) {
+    let (faces, record) = (repaired.mesh.faces(), &repaired.provenance);
+    let rotated = |mut face: Vec<u32>| {
+        let least = (0..face.len()).min_by_key(|&i| face[i]).unwrap_or(0);
+        face.rotate_left(least);
+        face
+    };
+    let list: Vec<Vec<u32>> =
+        faces.faces().map(|f| rotated(faces.face_vertices(f).iter().map(|v| v.0).collect())).collect();
+    assert_eq!(list, wanted.faces.iter().cloned().map(rotated).collect::<Vec<_>>());
+    let sources: Vec<Option<u32>> = record.vertices.iter().map(|(_, source)| source.map(|v| v.0)).collect();
+    assert_eq!(sources, wanted.source_vertex);
+    let sources: Vec<Option<u32>> = record.faces.iter().map(|(_, source)| source.map(|f| f.0)).collect();
+    assert_eq!(sources, wanted.source_face.iter().copied().map(Some).collect::<Vec<_>>());
+    let flipped: Vec<u32> =
+        (0..).zip(&wanted.flipped).filter(|(_, flip)| **flip).map(|(face, _)| face).collect();
+    assert_eq!(record.flipped.iter().map(|f| f.0).collect::<Vec<_>>(), flipped);
+    assert_eq!(record.created.len(), wanted.inserted.len());
+    let report = repaired.report.as_ref().expect("the pipeline ends with recompute");
+    assert_eq!(report.non_orientable_patches, wanted.non_orientable.len() as u64);
+}
+
+/// A pass alone removes what it says if what it requires is not there, and introduces only what it says.
+fn assert_promises(pass: &AnyPass, mesh: &PolygonMesh) {
+    let Ok(outcome) = pass.as_pass().apply(mesh, &Context::default()) else { return };
+    let report = |mesh: &PolygonMesh| -> TopologyReport {
+        KernelKind::default().run(mesh.complex(), Report(mesh)).expect("the default kernel holds anything")
+    };
+    let (before, after) = (report(mesh), report(&outcome.mesh));
+    let counts = |kind: DefectKind| (before.defects.count(kind), after.defects.count(kind));
+    let promise = pass.as_pass();
+    let can_promise = promise.requires().iter().all(|&kind| counts(kind).0 == 0);
+    for &kind in DefectKind::ALL {
+        let (old, new) = counts(kind);
+        let is_twisted = kind == DefectKind::InconsistentEdge && after.non_orientable_patches > 0;
+        if can_promise && !is_twisted && promise.removes().contains(&kind) {
+            assert_eq!(new, 0, "{} leaves {}", promise.name(), kind.code());
+        }
+        let may_be_new = promise.may_introduce().contains(&kind);
+        assert!(old > 0 || new == 0 || may_be_new, "{} introduces {}", promise.name(), kind.code());
+    }
+}
