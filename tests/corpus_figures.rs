@@ -26,10 +26,11 @@
 //! | `boundary_loops` | the same | both absent where a component is no surface |
 //! | `genus_total`, `nonorientable_genus_total` | `genus`, `cross_caps` | 0 in the manifest where no component has it |
 //! | `components_detail` | `component_kinds` | other order; the manifest lists twelve kinds at most |
+//! | `cut` | the report of the mesh after `split` alone with the policy `cut` | χ in place of V and E, as `split` subdivides edges that would coincide |
 //! | `min_flips_to_orient` | what `orient` alone flips | compared where no face is doubled |
 //!
 //! No part of the report, and so not compared: `faces_repeating_a_vertex`, `edges_2_same_face`,
-//! `edges_directed_twice`, `faces_sharing_a_vertex_set`, `nonmanifold_vertices_multifan`, `edge_components`, `cut`,
+//! `edges_directed_twice`, `faces_sharing_a_vertex_set`, `nonmanifold_vertices_multifan`, `edge_components`,
 //! `full_complex`.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -37,7 +38,7 @@ use std::sync::Mutex;
 
 use meshmend_core::{Connectivity, Defect, DefectKind, FaceId, PolygonMesh};
 use meshmend_kernels::{KernelKind, KernelTask};
-use meshmend_repair::{Distance, Orient, Pipeline, Weld};
+use meshmend_repair::{Distance, Orient, Pipeline, Split, SplitEdges, Weld};
 use meshmend_tests::corpus::{Entry, corpus};
 use meshmend_tests::each::assert_each;
 use meshmend_topology::{ComponentKind, TopologyReport, topology};
@@ -349,4 +350,59 @@ fn orienting_flips_no_more_faces_than_it_has_to() {
             .into_iter()
             .collect()
     });
+}
+
+#[test]
+fn cutting_at_all_that_is_not_manifold_gives_the_manifests_pieces() {
+    let Some(entries) = corpus() else { return };
+    let is_simple = |(entry, view): &(&Entry, &str)| {
+        let expected = entry.view(view).unwrap();
+        expected["pinched_faces"] == json!(0) && expected["degenerate_faces"] == json!(0)
+    };
+    let views: Vec<_> = views(&entries).into_iter().filter(is_simple).collect();
+    let split = Split { edges: SplitEdges::Cut, ..Split::default() };
+    let pipeline = Pipeline::new([split.into()]);
+    assert_each(&views, |&(entry, view)| {
+        let expected = cut_in_manifest(&entry.view(view).unwrap()["cut"]);
+        let found = cut_in_report(&report(&pipeline.run(&mesh_of(entry, view)).unwrap().mesh), &expected);
+        (found != expected)
+            .then(|| format!("{} {view}: {expected} expected, found {found}", entry.name))
+            .into_iter()
+            .collect()
+    });
+}
+
+/// What the manifest says of the surface cut open, its pieces counted by kind where all kinds are listed.
+fn cut_in_manifest(cut: &Value) -> Value {
+    let number = |key: &str| cut[key].as_i64().unwrap();
+    let mut pieces: BTreeMap<String, u64> = BTreeMap::new();
+    for piece in cut["pieces"].as_array().unwrap() {
+        let mut kind = piece.clone();
+        let count = kind.as_object_mut().unwrap().remove("count").unwrap();
+        *pieces.entry(kind.to_string()).or_default() += count.as_u64().unwrap();
+    }
+    json!({
+        "chi": number("V") - number("E") + number("F"),
+        "F": number("F"),
+        "components": number("components"),
+        "boundary_loops": number("boundary_loops"),
+        "pieces": if cut["pieces_complete"] == json!(true) { json!(pieces) } else { Value::Null },
+    })
+}
+
+fn cut_in_report(report: &TopologyReport, expected: &Value) -> Value {
+    let mut pieces: BTreeMap<String, u64> = BTreeMap::new();
+    for kind in &report.component_kinds {
+        let mut piece = json!({ "orientable": kind.orientable, "boundary_loops": kind.boundary_loops });
+        let genus = if kind.orientable { "genus" } else { "nonorientable_genus" };
+        piece[genus] = json!(kind.genus.or(kind.cross_caps));
+        *pieces.entry(piece.to_string()).or_default() += kind.count;
+    }
+    json!({
+        "chi": report.euler_characteristic,
+        "F": report.faces,
+        "components": report.components,
+        "boundary_loops": report.boundary_loops,
+        "pieces": if expected["pieces"].is_null() { Value::Null } else { json!(pieces) },
+    })
 }

@@ -3,6 +3,7 @@
 //! and the bytes depend neither on the kernel nor on the number of threads.
 
 use std::collections::BTreeSet;
+use std::ffi::OsStr;
 use std::path::PathBuf;
 
 use meshmend_core::{DefectKind, PolygonMesh};
@@ -14,7 +15,8 @@ use meshmend_repair::{
 };
 use meshmend_tests::corpus::{Entry, corpus};
 use meshmend_tests::each::assert_each;
-use meshmend_tests::judge::judge_clean;
+use meshmend_tests::judge::{judge_clean, python};
+use meshmend_tests::program;
 use meshmend_tests::scratch::Scratch;
 use rayon::prelude::*;
 
@@ -62,7 +64,7 @@ fn non_orientable_files_are_clean_when_cut_open() {
 
 /// Every file repaired by a plan is clean; only what the report calls non-orientable may be oriented inconsistently.
 fn assert_clean(plan: &Plan) {
-    let Some(entries) = corpus() else { return };
+    let (Some(entries), Some(_)) = (corpus(), python()) else { return };
     let scratch = Scratch::new();
     let meshes = readable(&entries);
     assert!(meshes.len() > 450, "only {} files", meshes.len());
@@ -172,5 +174,33 @@ fn the_bytes_are_the_same_for_every_kernel() {
             Err(error) => Some(format!("{}: {kind}: {error}", entry.name)),
         };
         KernelKind::ALL.iter().skip(1).filter_map(differs).collect()
+    });
+}
+
+/// Starting the program is slow, so it gets every seventh file.
+#[test]
+fn the_program_writes_what_the_library_gives_for_any_number_of_threads() {
+    let Some(entries) = corpus() else { return };
+    let meshes: Vec<_> = readable(&entries).into_iter().step_by(7).collect();
+    assert_each(&meshes, |(entry, mesh)| {
+        let expected = off(&repaired(mesh).mesh);
+        let scratch = Scratch::new();
+        let target = scratch.path().join("out.off");
+        let differs = |threads: &&str| {
+            let arguments: [&OsStr; 6] = [
+                "repair".as_ref(),
+                entry.path.as_ref(),
+                "-o".as_ref(),
+                target.as_ref(),
+                "--threads".as_ref(),
+                threads.as_ref(),
+            ];
+            let output = program::run(arguments);
+            !output.status.success() || std::fs::read(&target).unwrap() != expected
+        };
+        let wrong = ["1", "2", "8"].iter().copied().filter(|threads| differs(threads));
+        wrong
+            .map(|threads| format!("{} with {threads} threads differs from the library", entry.name))
+            .collect()
     });
 }

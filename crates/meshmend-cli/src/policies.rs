@@ -77,6 +77,8 @@ enum OrientWord {
     Majority,
     /// The outer one where the patch is closed
     Outward,
+    /// The same, but shells inside others alternate, as the walls of hollows do
+    OutwardNested,
     /// Turn nothing
     Off,
 }
@@ -182,6 +184,7 @@ impl Policies {
             }
             Some(OrientWord::Majority) => Some(Side::Majority),
             Some(OrientWord::Outward) => Some(Side::Outward),
+            Some(OrientWord::OutwardNested) => Some(Side::OutwardNested),
             None => None,
         };
         if let Some(side) = side {
@@ -302,6 +305,13 @@ mod tests {
         assert_eq!(plan.split.edges, SplitEdges::PinchOnly);
         assert_eq!(plan.triangulate.faces, TriangulateFaces::All);
         assert_eq!(plan.compact.loose_edges, LooseElements::Keep);
+    }
+
+    #[test]
+    fn every_side_can_be_named() {
+        let sides = ["majority", "outward", "outward-nested"]
+            .map(|word| plan(&["--orient", word]).unwrap().orient.side);
+        assert_eq!(sides, [Side::Majority, Side::Outward, Side::OutwardNested]);
     }
 
     #[test]

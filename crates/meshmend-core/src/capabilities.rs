@@ -123,3 +123,61 @@ fn non_simple_face(complex: &Complex, face: FaceId) -> Option<Defect> {
     let recurs = places.windows(2).filter(|pair| pair[0].0 == pair[1].0).min_by_key(|pair| pair[1].1)?;
     Some(Defect::NonSimpleFace { face: FaceId::new(face.index()), vertex: recurs[0].0 })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::{DefectKind, FaceTableBuilder, VertexId};
+
+    fn complex(faces: &[&[u32]]) -> Complex {
+        let mut builder = FaceTableBuilder::default();
+        faces.iter().for_each(|face| builder.push_face(face.iter().copied().map(VertexId)));
+        Complex::of(&Arc::new(builder.build(9).unwrap()))
+    }
+
+    /// A kernel that holds nothing but closed triangle surfaces whose faces agree.
+    const STRICT: Capabilities = Capabilities {
+        non_simple_faces: false,
+        non_manifold_edges: false,
+        non_manifold_vertices: false,
+        mixed_orientation: false,
+        polygons: false,
+        ordered_vertex_stars: true,
+    };
+
+    #[test]
+    fn every_reason_is_listed_by_kind() {
+        // A book of three pages, a square, a face that comes back to a vertex, and a clash along an edge.
+        let complex =
+            complex(&[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4], &[5, 6, 7, 8], &[5, 6, 2, 5, 7], &[0, 0, 1]]);
+        let kinds: Vec<DefectKind> = admission(&complex, &STRICT).iter().map(Defect::kind).collect();
+        let count = |kind| kinds.iter().filter(|&&k| k == kind).count();
+        assert_eq!(count(DefectKind::NonSimpleFace), 1);
+        assert_eq!(count(DefectKind::PolygonFace), 2);
+        assert_eq!(count(DefectKind::NonManifoldEdge), 1);
+        assert_eq!(count(DefectKind::InconsistentEdge), 1);
+        assert_eq!(count(DefectKind::SingularVertex), 2);
+        assert!(kinds.is_sorted());
+        assert!(admission(&complex, &Capabilities::PERMISSIVE).is_empty());
+    }
+
+    #[test]
+    fn a_refusal_says_how_many_of_what_and_where() {
+        let complex = complex(&[&[0, 1, 2], &[0, 3, 4]]);
+        let refusal = Refusal { kernel: "strict", defects: admission(&complex, &STRICT) };
+        let text =
+            "the strict kernel can't hold this mesh: 1 pinched vertices (v0 joins 2 umbrellas, all open);";
+        assert_eq!(refusal.to_string(), text);
+    }
+
+    #[test]
+    fn a_face_that_comes_back_names_the_vertex_that_recurs_first() {
+        let complex = complex(&[&[3, 1, 2, 1, 3, 4]]);
+        assert_eq!(
+            admission(&complex, &STRICT)[0],
+            Defect::NonSimpleFace { face: FaceId(0), vertex: VertexId(1) }
+        );
+    }
+}

@@ -320,3 +320,104 @@ fn check_counts(draft: &Draft) -> Result<(), DraftError> {
         None => Ok(()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Carry, FaceTableBuilder, Values};
+
+    /// A square of two triangles, each corner and vertex with a number of its own.
+    fn square() -> PolygonMesh {
+        let corners = [0, 1, 2, 2, 1, 3].map(VertexId).to_vec();
+        let faces = FaceTable::triangles(4, corners).unwrap();
+        let layer = |domain, carry, values| Layer::direct("number", domain, 1, carry, values);
+        PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]], faces)
+            .unwrap()
+            .with_layers(vec![
+                layer(Domain::Corner, Carry::Interpolate, Values::F64((0..6).map(f64::from).collect())),
+                layer(Domain::Vertex, Carry::Interpolate, Values::F32((0..4u8).map(f32::from).collect())),
+                layer(Domain::Face, Carry::Copy, Values::Text(vec![b"a".to_vec(), b"b".to_vec()])),
+            ])
+            .unwrap()
+    }
+
+    fn value(layer: &Layer, element: usize) -> Option<f64> {
+        let at = layer.value_of(element)?;
+        match layer.values() {
+            Values::F64(values) => Some(values[at]),
+            Values::F32(values) => Some(f64::from(values[at])),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn created_corners_and_vertices_get_what_lies_between() {
+        let mesh = square();
+        let place = Blend::Along { from: CornerId(1), to: CornerId(2), numerator: 1, denominator: 4 };
+        let mut builder = FaceTableBuilder::default();
+        builder.push_face([0, 1, 4, 2].map(VertexId));
+        let corners = [Some(0), Some(1), None, Some(2)].map(|c| c.map(CornerId));
+        let draft = Draft {
+            vertex_sources: Sources::listed(
+                [0, 1, 2, 3].map(|v| Some(VertexId(v))).into_iter().chain([None]),
+            ),
+            created_vertices: vec![VertexDraft { position: [0.75, 0.25, 0.0], place }],
+            created_corners: vec![(CornerId(2), place)],
+            ..Draft::of_faces(
+                &mesh,
+                builder.build(5).unwrap(),
+                Sources::listed([Some(FaceId(0))]),
+                Sources::listed(corners),
+            )
+        };
+        let (new, record) = mesh.rebuild(draft).unwrap();
+        assert_eq!(value(&new.layers()[0], 2), Some(1.25));
+        assert_eq!(value(&new.layers()[1], 4), Some(1.25));
+        assert_eq!(new.layers()[2].element_count(), 1);
+        assert_eq!(record.created, [(VertexId(4), Some(place))]);
+        assert_eq!(record.removed_faces(), [FaceId(1)]);
+    }
+
+    #[test]
+    fn a_vertex_layer_moves_to_the_corners_and_comes_back() {
+        let mesh = square();
+        let joined = FaceTable::triangles(3, [0, 1, 2, 2, 1, 0].map(VertexId).to_vec()).unwrap();
+        let draft = Draft {
+            vertex_sources: Sources::listed([0, 1, 2].map(|v| Some(VertexId(v)))),
+            merged_into: Some([0, 1, 2, 0].map(VertexId).to_vec()),
+            ..Draft::of_faces(&mesh, joined, Sources::same(2), Sources::same(6))
+        };
+        let (joined, _) = mesh.rebuild(draft).unwrap();
+        let layer = &joined.layers()[1];
+        assert_eq!((layer.domain(), layer.home()), (Domain::Corner, Domain::Vertex));
+        let at_corners: Vec<_> = (0..6).map(|c| value(layer, c)).collect();
+        assert_eq!(at_corners, [0.0, 1.0, 2.0, 2.0, 1.0, 3.0].map(Some));
+        let parted = FaceTable::triangles(4, [0, 1, 2, 2, 1, 3].map(VertexId).to_vec()).unwrap();
+        let draft = Draft {
+            vertex_sources: Sources::listed([0, 1, 2, 0].map(|v| Some(VertexId(v)))),
+            ..Draft::of_faces(&joined, parted, Sources::same(2), Sources::same(6))
+        };
+        let (parted, _) = joined.rebuild(draft).unwrap();
+        let layer = &parted.layers()[1];
+        assert_eq!(layer.domain(), Domain::Vertex);
+        assert_eq!((0..4).map(|v| value(layer, v)).collect::<Vec<_>>(), [0.0, 1.0, 2.0, 3.0].map(Some));
+    }
+
+    #[test]
+    fn a_draft_that_does_not_fit_is_an_error() {
+        let mesh = square();
+        let draft = |faces, corners| {
+            Draft::of_faces(&mesh, mesh.faces().clone(), Sources::same(faces), Sources::same(corners))
+        };
+        let wrong = mesh.rebuild(draft(3, 6)).unwrap_err();
+        assert_eq!(wrong, DraftError::Count { what: "face sources", found: 3, expected: 2 });
+        assert!(mesh.rebuild(draft(2, 5)).is_err());
+        let loose = square().with_loose(Vec::new(), vec![VertexId(3)]).unwrap();
+        let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec()).unwrap();
+        let draft = Draft {
+            vertex_sources: Sources::same(3),
+            ..Draft::of_faces(&loose, faces, Sources::same(1), Sources::same(3))
+        };
+        assert_eq!(loose.rebuild(draft).unwrap_err(), DraftError::LooseVertex(VertexId(3)));
+    }
+}

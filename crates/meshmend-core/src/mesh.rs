@@ -216,3 +216,47 @@ impl PolygonMesh {
         Ok(PolygonMesh { positions: Arc::new(positions), ..self })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Carry, Values};
+
+    fn triangle() -> PolygonMesh {
+        let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec()).unwrap();
+        PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [f64::NAN, 1.0, 0.0]], faces).unwrap()
+    }
+
+    #[test]
+    fn parts_that_do_not_fit_are_named() {
+        let faces = FaceTable::empty(2);
+        let wrong = PolygonMesh::new(vec![[0.0; 3]], faces).unwrap_err();
+        assert_eq!(wrong, MeshError::VertexCount { faces: 2, positions: 1 });
+        let wrong = triangle().with_loose(vec![[VertexId(0), VertexId(7)]], Vec::new()).unwrap_err();
+        assert_eq!(wrong.to_string(), "loose edge 0 names vertex 7, but there are 3 vertices");
+        let wrong = triangle().with_loose(Vec::new(), vec![VertexId(3)]).unwrap_err();
+        assert_eq!(wrong.to_string(), "loose point 0 names vertex 3, but there are 3 vertices");
+        assert!(triangle().with_positions(Vec::new()).is_err());
+    }
+
+    #[test]
+    fn a_layer_must_speak_of_every_element_and_of_values_that_it_has() {
+        let numbers = |count| Values::U8(vec![0; count]);
+        let short = Layer::direct("quality", Domain::Face, 1, Carry::Copy, numbers(2));
+        let wrong = triangle().with_layers(vec![short]).unwrap_err();
+        assert_eq!(wrong, MeshError::LayerSize { name: "quality".into(), found: 2, expected: 1 });
+        let outside = Layer::indexed("quality", Domain::Corner, 1, Carry::Copy, numbers(2), vec![0, 1, 2]);
+        let wrong = triangle().with_layers(vec![outside]).unwrap_err();
+        assert_eq!(wrong, MeshError::LayerValues { name: "quality".into() });
+        let uneven = Layer::indexed("pair", Domain::Face, 2, Carry::Copy, numbers(3), vec![0]);
+        assert!(triangle().with_layers(vec![uneven]).is_err());
+    }
+
+    #[test]
+    fn clones_share_the_complex() {
+        let mesh = triangle();
+        let clone = mesh.clone();
+        assert!(std::ptr::eq(mesh.complex(), clone.complex()));
+        assert!(mesh.is_finite(VertexId(0)) && !mesh.is_finite(VertexId(2)));
+    }
+}

@@ -228,3 +228,74 @@ impl Provenance {
 fn unset<I: Id>(flags: &[bool]) -> Vec<I> {
     flags.iter().enumerate().filter(|(_, set)| !**set).map(|(index, _)| I::new(index)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{CornerId, Draft, PolygonMesh};
+
+    fn mesh(vertices: usize, faces: &[[u32; 3]]) -> PolygonMesh {
+        let corners = faces.iter().flatten().copied().map(VertexId).collect();
+        let table = FaceTable::triangles(vertices, corners).unwrap();
+        PolygonMesh::new(vec![[0.0; 3]; vertices], table).unwrap()
+    }
+
+    /// The mesh with other names at its corners.
+    fn renamed(mesh: &PolygonMesh, sources: &[u32], corners: &[u32]) -> (PolygonMesh, Provenance) {
+        let corners = corners.iter().copied().map(VertexId).collect();
+        let faces = FaceTable::triangles(sources.len(), corners).unwrap();
+        let draft = Draft {
+            vertex_sources: Sources::listed(sources.iter().map(|&v| Some(VertexId(v)))),
+            ..Draft::of_faces(mesh, faces, Sources::same(2), Sources::same(6))
+        };
+        mesh.rebuild(draft).unwrap()
+    }
+
+    #[test]
+    fn what_was_joined_and_parted_again_comes_from_where_it_was() {
+        let stored = mesh(6, &[[0, 1, 2], [3, 4, 5]]);
+        // Vertices 1 and 4 are joined, then parted again.
+        let (joined, first) = renamed(&stored, &[0, 1, 2, 3, 5], &[0, 1, 2, 3, 1, 4]);
+        let (parted, second) = renamed(&joined, &[0, 1, 2, 3, 4, 1], &[0, 1, 2, 3, 5, 4]);
+        let both = first.then(&second, stored.faces(), parted.faces());
+        let sources: Vec<Option<u32>> = both.vertices.iter().map(|(_, old)| old.map(|v| v.0)).collect();
+        assert_eq!(sources, [0, 1, 2, 3, 5, 4].map(Some));
+        assert!(!both.is_same(), "the order is another one");
+    }
+
+    #[test]
+    fn the_source_of_a_vertex_is_one_that_its_corners_had() {
+        // Vertex 0 is in no face; joined with 1 it gives its place to it, but not its name.
+        let stored = mesh(7, &[[1, 2, 3], [4, 5, 6]]);
+        let (joined, first) = renamed(&stored, &[0, 2, 3, 4, 5, 6], &[0, 1, 2, 3, 4, 5]);
+        let begin = Provenance::same(stored.counts());
+        let both = begin.then(&first, stored.faces(), joined.faces());
+        assert_eq!(both.vertices.of(VertexId(0)), Some(VertexId(1)));
+    }
+
+    #[test]
+    fn two_flips_are_none_and_removals_add_up() {
+        let record = |faces: &[u32], flipped: &[u32], before: usize| Provenance {
+            before: Counts { vertices: 0, faces: before, corners: 0 },
+            vertices: Sources::same(0),
+            faces: Sources::listed(faces.iter().map(|&f| Some(FaceId(f)))),
+            corners: Sources::<CornerId>::same(0),
+            flipped: flipped.iter().copied().map(FaceId).collect(),
+            created: Vec::new(),
+        };
+        let empty = FaceTable::empty(0);
+        let both = record(&[0, 2, 3], &[0, 2], 4).then(&record(&[1, 2], &[0, 1], 3), &empty, &empty);
+        assert_eq!(both.flipped, [FaceId(0)]);
+        assert_eq!(both.removed_faces(), [FaceId(0), FaceId(1)]);
+        assert_eq!(both.added_faces(), 0);
+    }
+
+    #[test]
+    fn a_list_that_changes_nothing_is_the_same() {
+        let prefix: Sources<FaceId> = Sources::listed([Some(FaceId(0)), Some(FaceId(1))]);
+        assert!(prefix.is_same() && prefix.is_all_of(2) && !prefix.is_all_of(3));
+        assert_eq!(prefix.survivors(3), [true, true, false]);
+        let created: Sources<FaceId> = Sources::listed([None]);
+        assert_eq!((created.len(), created.of(FaceId(0))), (1, None));
+    }
+}

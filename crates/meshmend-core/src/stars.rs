@@ -154,3 +154,48 @@ fn root(parent: &mut [u32], mut at: u32) -> u32 {
     }
     at
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::{Complex, EdgeUse, FaceTable};
+
+    fn kernel(faces: &[[u32; 3]]) -> EdgeUse {
+        let corners = faces.iter().flatten().copied().map(VertexId).collect();
+        EdgeUse::assemble(&Complex::of(&Arc::new(FaceTable::triangles(9, corners).unwrap())))
+    }
+
+    fn class(faces: &[[u32; 3]]) -> VertexClass {
+        vertex_classes(&kernel(faces))[VertexId(0)]
+    }
+
+    #[test]
+    fn a_vertex_is_what_its_umbrellas_say() {
+        assert_eq!(class(&[[1, 2, 3]]), VertexClass::Unreferenced);
+        assert_eq!(class(&[[0, 1, 2], [0, 2, 3]]), VertexClass::HalfDisc);
+        assert_eq!(class(&[[0, 1, 2], [0, 2, 3], [0, 3, 1]]), VertexClass::Disc);
+        let two_fans = VertexClass::Pinched { umbrellas: 2, boundary_only: true };
+        assert_eq!(class(&[[0, 1, 2], [0, 3, 4]]), two_fans);
+        let fan_and_cone = VertexClass::Pinched { umbrellas: 2, boundary_only: false };
+        assert_eq!(class(&[[0, 1, 2], [0, 3, 4], [0, 4, 5], [0, 5, 3]]), fan_and_cone);
+        assert_eq!(class(&[[0, 1, 2], [0, 1, 3], [0, 1, 4]]), VertexClass::Singular);
+    }
+
+    #[test]
+    fn the_way_that_faces_run_does_not_matter_to_vertices() {
+        assert_eq!(class(&[[0, 1, 2], [0, 3, 2], [0, 3, 1]]), VertexClass::Disc);
+    }
+
+    #[test]
+    fn an_edge_is_what_its_sides_say() {
+        let kernel = kernel(&[[0, 1, 2], [0, 1, 3], [0, 2, 3], [0, 3, 4], [5, 3, 0]]);
+        let classes: Vec<EdgeClass> = kernel.edges().map(|e| edge_class(&kernel, e)).collect();
+        let ends = |e: EdgeId| kernel.edge_ends(e).map(|v| v.0);
+        assert_eq!((ends(EdgeId(0)), classes[0]), ([0, 1], EdgeClass::Interior));
+        assert_eq!((ends(EdgeId(2)), classes[2]), ([0, 3], EdgeClass::NonManifold));
+        assert!(is_inconsistent(&kernel, EdgeId(0)) && !is_inconsistent(&kernel, EdgeId(1)));
+        assert!(!is_inconsistent(&kernel, EdgeId(2)), "more than two sides are another defect");
+    }
+}

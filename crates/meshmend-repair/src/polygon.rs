@@ -104,7 +104,7 @@ fn by_ears(points: &[Point]) -> Vec<Triangle> {
     let mut flat: Vec<u32> = Vec::new();
     Earcut::new().earcut(points.iter().map(|p| [p[x], p[y]]), &[], &mut flat);
     let triangles = flat.chunks_exact(3).map(|t| [t[0] as usize, t[1] as usize, t[2] as usize]);
-    triangles.map(|t| in_polygon_order(t)).collect()
+    triangles.map(in_polygon_order).collect()
 }
 
 /// A triangle with its places ascending round: the way round that the polygon has.
