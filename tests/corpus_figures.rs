@@ -26,7 +26,7 @@
 //! | `boundary_loops` | the same | both absent where a component is no surface |
 //! | `genus_total`, `nonorientable_genus_total` | `genus`, `cross_caps` | 0 in the manifest where no component has it |
 //! | `components_detail` | `component_kinds` | other order; the manifest lists twelve kinds at most |
-//! | `cut` | the report of the mesh after `split` alone with the policy `cut` | χ in place of V and E, as `split` subdivides edges that would coincide |
+//! | `cut` | of the mesh after `split` alone with `cut` | χ for V and E: edges that would coincide are subdivided |
 //! | `min_flips_to_orient` | what `orient` alone flips | compared where no face is doubled |
 //!
 //! No part of the report, and so not compared: `faces_repeating_a_vertex`, `edges_2_same_face`,

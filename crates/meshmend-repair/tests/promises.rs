@@ -1,5 +1,7 @@
 //! What a repair promises, on meshes of any kind, judged by the oracle that shares nothing with the library.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test stops where it fails")]
+
 use std::collections::BTreeSet;
 
 use meshmend_core::{Carry, Connectivity, CornerId, Domain, FaceId, Layer, PolygonMesh, Values, VertexId};

@@ -4,6 +4,8 @@
 //! that it was skipped. More cases than the usual number: `MESHMEND_REFERENCE_CASES=100000`, or a file of cases made
 //! before: `MESHMEND_REFERENCE_FILE=…`.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test stops where it fails")]
+
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 
