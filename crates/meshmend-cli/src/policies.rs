@@ -44,7 +44,7 @@ pub(crate) struct Policies {
     /// Edges with three faces or more, and pinched vertices
     #[arg(long, value_enum)]
     split: Option<SplitWord>,
-    /// Which faces are cut into triangles
+    /// Which faces are cut into triangles; by default all of them where the output's format holds nothing else
     #[arg(long, value_enum)]
     triangulate: Option<TriangulateWord>,
     /// What happens to vertices, edges and points that no face uses
@@ -156,6 +156,14 @@ impl Policies {
             plan = compact_into(plan, word);
         }
         Ok(plan)
+    }
+
+    /// The plan for an output that holds triangles alone: polygons are cut by the pass, which never repeats an edge,
+    /// unless a plan or an option says otherwise.
+    pub(crate) fn plan_for_triangles(&self) -> Result<Plan, Failure> {
+        let plan = self.plan()?;
+        let is_said = self.plan.is_some() || self.triangulate.is_some();
+        Ok(if is_said { plan } else { triangulate_into(plan, TriangulateWord::All) })
     }
 
     fn clean_into(&self, mut plan: Plan) -> Result<Plan, Failure> {

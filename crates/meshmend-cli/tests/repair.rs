@@ -282,3 +282,19 @@ fn what_is_left_has_its_place() {
     );
     assert_eq!(strip["edge_ends"][0].as_array().unwrap().len(), 2);
 }
+
+/// A pyramid on a concave base: a fan from the base's first corner would leave the base and repeat an edge.
+#[test]
+fn polygons_are_cut_by_the_pass_where_the_format_holds_triangles_alone() {
+    let folder = Folder::new();
+    let input = folder.at("dart.obj");
+    let points = "v 2 2 0\nv 0 1 0\nv -2 2 0\nv 0 0 0\nv 0 1 3\n";
+    fs::write(&input, format!("{points}f 1 2 3 4\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n")).unwrap();
+    let run = meshmend(&["repair", &input, "-o", &folder.at("dart.stl"), "--json"]).succeeds().json();
+    assert_eq!(run["passes"][4]["mended"]["polygon-face"]["count"], 1);
+    assert_eq!(run["losses"], json!([]));
+    let told = meshmend(&["repair", &input, "-o", &folder.at("told.stl"), "--triangulate", "off", "--json"]);
+    assert_eq!(told.succeeds().json()["losses"][0]["kind"], "polygons");
+    let kept = meshmend(&["repair", &input, "-o", &folder.at("dart.ply"), "--json"]).succeeds().json();
+    assert_eq!(kept["passes"][4]["changed"], false);
+}

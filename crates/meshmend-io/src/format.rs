@@ -48,6 +48,8 @@ pub(crate) struct Driver {
     pub(crate) extensions: &'static [&'static str],
     /// What is written, the default first.
     pub(crate) encodings: &'static [Encoding],
+    /// Whether faces may have more than three corners.
+    pub(crate) holds_polygons: bool,
     /// Whether a file that starts like this, and has no known name, is surely of this format.
     pub(crate) sniff: fn(&[u8]) -> bool,
     pub(crate) read: fn(&Source<'_>, &Limits) -> Result<Parsed, ReadError>,
@@ -103,6 +105,11 @@ impl Format {
     /// The encodings in which it is written, the default first.
     pub fn encodings(self) -> &'static [Encoding] {
         self.driver().encodings
+    }
+
+    /// Whether faces may have more than three corners; else the writer cuts them, which is a named loss.
+    pub fn holds_polygons(self) -> bool {
+        self.driver().holds_polygons
     }
 
     /// The format of an extension, in any case and without the dot.

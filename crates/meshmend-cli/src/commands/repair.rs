@@ -65,9 +65,14 @@ struct Target<'a> {
 
 impl Repair {
     pub(crate) fn run(self) -> Result<Status, Failure> {
-        let pipeline = self.policies.plan()?.pipeline().on_kernel(self.kernel);
-        let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
         let target = self.target()?;
+        let format = target.as_ref().and_then(|target| target.options.format);
+        let plan = match format {
+            Some(format) if !format.holds_polygons() => self.policies.plan_for_triangles()?,
+            _ => self.policies.plan()?,
+        };
+        let pipeline = plan.pipeline().on_kernel(self.kernel);
+        let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
         self.check_report_options()?;
 
         let progress = Progress::in_steps(pipeline.passes().len() + 4);

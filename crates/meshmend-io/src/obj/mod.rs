@@ -27,6 +27,7 @@ pub(crate) static DRIVER: Driver = Driver {
     name: "OBJ",
     extensions: &["obj"],
     encodings: &[Encoding::Ascii],
+    holds_polygons: true,
     sniff: read::sniff,
     read: read::read,
     encode: write::encode,

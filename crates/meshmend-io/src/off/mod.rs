@@ -27,6 +27,7 @@ pub(crate) static DRIVER: Driver = Driver {
     name: "OFF",
     extensions: &["off", "coff", "noff", "cnoff", "stoff"],
     encodings: &[Encoding::Ascii],
+    holds_polygons: true,
     sniff: |bytes| read::Columns::of_header(word(bytes, 0)).is_some(),
     read: read::read,
     encode: write::encode,

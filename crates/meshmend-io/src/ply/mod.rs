@@ -34,6 +34,7 @@ pub(crate) static DRIVER: Driver = Driver {
     name: "PLY",
     extensions: &["ply"],
     encodings: &[Encoding::LittleEndian, Encoding::BigEndian, Encoding::Ascii],
+    holds_polygons: true,
     sniff: header::sniff,
     read: read::read,
     encode: write::encode,

@@ -28,6 +28,7 @@ pub(crate) static DRIVER: Driver = Driver {
     name: "STL",
     extensions: &["stl", "stla", "stlb"],
     encodings: &[Encoding::LittleEndian, Encoding::Ascii],
+    holds_polygons: false,
     sniff,
     read,
     encode: write::encode,
