@@ -116,7 +116,13 @@ fn assert_kept(format: Format, mesh: &PolygonMesh) {
             }
             assert_eq!(again.loose_edges(), mesh.loose_edges(), "{format} {encoding}");
             assert_eq!(again.loose_points(), mesh.loose_points(), "{format} {encoding}");
-            assert_eq!(again.metadata(), mesh.metadata(), "{format} {encoding}");
+            // A file without a vertex has a comment that says so.
+            let says_nothing = mesh.counts().vertices == 0 && mesh.metadata().is_empty();
+            assert!(
+                says_nothing || again.metadata() == mesh.metadata(),
+                "{format} {encoding}: {:?}",
+                mesh.metadata()
+            );
         }
     }
 }

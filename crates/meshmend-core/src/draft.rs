@@ -27,7 +27,7 @@ pub enum Blend {
         /// Of how many parts in all.
         denominator: u32,
     },
-    /// At the mean of a face's corners.
+    /// Within a face, with the mean of its corners' attributes.
     Inside {
         /// The face.
         face: FaceId,

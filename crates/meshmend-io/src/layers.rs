@@ -91,6 +91,13 @@ pub(crate) fn elements(layer: &Layer) -> &'static str {
     }
 }
 
+/// The loss of statements with these keys that one line can't spell as they are.
+pub(crate) fn spelling_loss(mesh: &PolygonMesh, keys: &[&str]) -> Option<Loss> {
+    let written = mesh.metadata().iter().filter(|statement| keys.contains(&statement.key.as_str()));
+    let other = written.filter(|statement| one_line(&statement.value)[..] != statement.value[..]).count();
+    Loss::if_any(LossKind::Names, other, |n| format!("{n} statements about the file are spelled otherwise"))
+}
+
 /// A loss for each kind of statement about the whole file that is not among those which are written.
 pub(crate) fn metadata_losses(mesh: &PolygonMesh, written: &[&str]) -> Vec<Loss> {
     let mut keys: Vec<&str> = mesh.metadata().iter().map(|m| m.key.as_str()).collect();

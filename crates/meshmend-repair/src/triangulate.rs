@@ -7,7 +7,8 @@
 //!    every face of more than three corners.
 //! 2. Cut each by shape: see the polygons' file. A diagonal never repeats an edge that is there already, as that
 //!    would make it non-manifold.
-//! 3. Where every choice would, the face gets a vertex of its own at the mean of its corners.
+//! 3. Where every choice would, the face gets a vertex of its own at the mean of its corners, or, where a vertex is
+//!    there already, halfway from there to a corner.
 //!
 //! *Promises* triangles, wherever faces are simple. *Requires* simple faces: others stay and are named. *May introduce*
 //! nothing. *Cost*: O(n³) for faces up to 64 corners, about n log n beyond.
@@ -80,6 +81,8 @@ struct Cutter<'a> {
     corner_sources: Vec<Option<CornerId>>,
     created_vertices: Vec<VertexDraft>,
     created_corners: Vec<(CornerId, Blend)>,
+    /// The positions of all vertices, from the first created one on.
+    occupied: Option<BTreeSet<[u64; 3]>>,
     mended: Vec<Defect>,
     left: Vec<Defect>,
 }
@@ -95,6 +98,7 @@ impl<'a> Cutter<'a> {
             corner_sources: Vec::new(),
             created_vertices: Vec::new(),
             created_corners: Vec::new(),
+            occupied: None,
             mended: Vec::new(),
             left: Vec::new(),
         }
@@ -151,8 +155,7 @@ impl<'a> Cutter<'a> {
 
     fn push_star(&mut self, face: FaceId, points: &[[f64; 3]]) {
         let centre = VertexId::new(self.mesh.counts().vertices + self.created_vertices.len());
-        let count = points.len() as f64;
-        let position = std::array::from_fn(|axis| points.iter().map(|p| p[axis] / count).sum());
+        let position = self.free_point(points);
         self.created_vertices.push(VertexDraft { position, place: Blend::Inside { face } });
         let corners: Vec<CornerId> = self.mesh.faces().face_corners(face).collect();
         for (place, &corner) in corners.iter().enumerate() {
@@ -163,6 +166,18 @@ impl<'a> Cutter<'a> {
             self.created_corners.push((CornerId::new(self.corner_sources.len() - 1), Blend::Inside { face }));
             self.face_sources.push(Some(face));
         }
+    }
+
+    /// The mean of some points, or the first point halfway from there to one of them at which there is no vertex.
+    fn free_point(&mut self, points: &[[f64; 3]]) -> [f64; 3] {
+        let count = points.len() as f64;
+        let mean: [f64; 3] = std::array::from_fn(|axis| points.iter().map(|p| p[axis] / count).sum());
+        let key = |point: &[f64; 3]| point.map(|x| (x + 0.0).to_bits());
+        let positions = self.mesh.positions();
+        let occupied = self.occupied.get_or_insert_with(|| positions.iter().map(key).collect());
+        let beside = points.iter().map(|p| std::array::from_fn(|axis| p[axis] / 2.0 + mean[axis] / 2.0));
+        let free = std::iter::once(mean).chain(beside).find(|point| occupied.insert(key(point)));
+        free.unwrap_or(mean)
     }
 
     fn into_outcome(self) -> Result<Outcome, PassError> {

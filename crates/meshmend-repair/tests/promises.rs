@@ -291,6 +291,19 @@ fn a_chain_of_duplicates_is_followed_to_its_end() {
     }
 }
 
+/// Three squares over the same four vertices: no diagonal is free, and the centres of all three are one point.
+#[test]
+fn created_vertices_do_not_coincide() {
+    let positions = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[x, y]| [f64::from(x), f64::from(y), 0.0]).to_vec();
+    let hemicube = Soup { positions, faces: vec![vec![0, 1, 2, 3], vec![0, 2, 1, 3], vec![0, 1, 3, 2]] };
+    let mut plan = Plan::default();
+    plan.triangulate.faces = TriangulateFaces::All;
+    let repaired = plan.pipeline().run(&hemicube.mesh()).unwrap();
+    assert_eq!((repaired.provenance.created.len(), repaired.mesh.counts().faces), (3, 12));
+    let lowest = meshmend_repair::coincident_vertices(&repaired.mesh);
+    assert!(lowest.iter().zip(0..).all(|(low, v)| low.0 == v));
+}
+
 #[test]
 fn a_policy_of_fail_names_what_it_found() {
     let band = meshmend_testkit::shapes::moebius_band(6, 2, meshmend_testkit::shapes::Tiles::Quads).soup;

@@ -6,6 +6,7 @@ use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values};
 
 use crate::layers::{
     domain_name, has_fractions, is_numeric, layer_losses, layer_of, metadata_losses, number, one_line,
+    spelling_loss,
 };
 use crate::obj::names::{KINDS, spelled};
 use crate::sink::Sink;
@@ -56,7 +57,9 @@ pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
             format!("{n} names of `{}` are spelled otherwise", kind.layer)
         })
     }));
-    losses.extend(metadata_losses(mesh, &STATEMENTS.map(|(key, _)| key)));
+    let keys = STATEMENTS.map(|(key, _)| key);
+    losses.extend(metadata_losses(mesh, &keys));
+    losses.extend(spelling_loss(mesh, &keys));
     losses
 }
 

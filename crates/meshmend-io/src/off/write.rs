@@ -6,7 +6,7 @@ use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
 use crate::layers::{
     absent, elements, has_fractions, is_numeric, layer_losses, layer_of, loose_losses, metadata_losses,
-    number, one_line,
+    number, one_line, spelling_loss,
 };
 use crate::sink::Sink;
 use crate::{Encoding, Loss, LossKind, WriteErrorKind};
@@ -65,6 +65,7 @@ pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
     }
     losses.extend(loose_losses(mesh));
     losses.extend(metadata_losses(mesh, &["comment"]));
+    losses.extend(spelling_loss(mesh, &["comment"]));
     losses
 }
 

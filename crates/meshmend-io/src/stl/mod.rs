@@ -22,7 +22,7 @@ mod write;
 use crate::format::Driver;
 use crate::read::{Parsed, Source};
 use crate::text::{is_space, trimmed_start};
-use crate::{Encoding, Limits, Place, ReadError};
+use crate::{Encoding, Limits, Place, ReadError, ReadErrorKind};
 
 pub(crate) static DRIVER: Driver = Driver {
     name: "STL",
@@ -56,6 +56,7 @@ fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     }
     match (plain::read(source, limits), claimed) {
         (Ok(parsed), _) => Ok(parsed),
+        (Err(error), _) if matches!(error.kind, ReadErrorKind::LimitExceeded { .. }) => Err(error),
         (Err(_), Some(claimed)) if claimed <= length => binary::read(source, limits),
         (Err(_), Some(_)) if has_binary_count(source.bytes) => binary::read(source, limits),
         (Err(error), _) => Err(error),

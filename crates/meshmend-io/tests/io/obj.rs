@@ -153,6 +153,15 @@ fn names_that_can_not_be_spelled_are_named_as_losses() {
 }
 
 #[test]
+fn comments_that_one_line_can_not_spell_are_named_as_losses() {
+    let mesh = read(b"#a\0b\nv 0 0 0\nf 1 1 1\n").mesh;
+    for format in [Format::Obj, Format::Off] {
+        let losses = written(&mesh, format, Encoding::Ascii).1;
+        assert_eq!(losses.iter().map(|l| (l.kind, l.count)).collect::<Vec<_>>(), [(LossKind::Names, 1)]);
+    }
+}
+
+#[test]
 fn values_that_no_corner_uses_are_named_as_losses() {
     let mesh = read(format!("{TRIANGLE}vn 0 0 1\nvn 0 1 0\n")).mesh;
     assert!(written(&mesh, Format::Obj, Encoding::Ascii).1.is_empty());

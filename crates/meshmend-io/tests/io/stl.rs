@@ -224,3 +224,15 @@ fn stl_io_reads_what_is_written() {
         assert_eq!(triangles[1].normal[2], 1.0);
     }
 }
+
+/// Text that is too long must not be tried as binary, where the reason would be another one.
+#[test]
+fn a_limit_that_text_exceeds_is_the_error() {
+    let facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    let text = format!("solid\n{}endsolid\n", facet.repeat(3));
+    let limits = Limits { max_faces: 2, ..Limits::default() };
+    let options = ReadOptions { limits, format: Some(Format::Stl) };
+    let error = read_bytes(text.as_bytes(), "long", &options).unwrap_err();
+    assert!(matches!(error.kind, ReadErrorKind::LimitExceeded { .. }), "{error}");
+}
