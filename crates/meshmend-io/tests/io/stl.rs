@@ -4,7 +4,9 @@ use crate::common::{
     assert_kept, faces, layer, names, note, read as read_as, refused as refused_as, try_read, written,
 };
 use meshmend_core::{Domain, FaceTable, PolygonMesh, Values, VertexId};
-use meshmend_io::{Encoding, Format, LossKind, NoteKind, Place, ReadFile};
+use meshmend_io::{
+    Encoding, Format, Limits, LossKind, NoteKind, Place, ReadErrorKind, ReadFile, ReadOptions, read_bytes,
+};
 
 fn read(bytes: impl AsRef<[u8]>) -> ReadFile {
     read_as(Format::Stl, bytes)
@@ -228,9 +230,7 @@ fn stl_io_reads_what_is_written() {
 /// Text that is too long must not be tried as binary, where the reason would be another one.
 #[test]
 fn a_limit_that_text_exceeds_is_the_error() {
-    let facet =
-        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
-    let text = format!("solid\n{}endsolid\n", facet.repeat(3));
+    let text = format!("solid\n{}endsolid\n", FACET.repeat(3));
     let limits = Limits { max_faces: 2, ..Limits::default() };
     let options = ReadOptions { limits, format: Some(Format::Stl) };
     let error = read_bytes(text.as_bytes(), "long", &options).unwrap_err();
