@@ -23,6 +23,7 @@ mod recompute;
 mod registry;
 mod split;
 mod triangulate;
+mod vector;
 mod volume;
 mod weld;
 mod words;

@@ -7,7 +7,7 @@
 
 use earcut::Earcut;
 
-type Point = [f64; 3];
+use crate::vector::{Point, area_vector, cross, dot, minus};
 
 /// Three corners of a polygon, by their places, the way round that the polygon has.
 pub(crate) type Triangle = [usize; 3];
@@ -45,7 +45,7 @@ fn takes_a_taken_one(count: usize, triangles: &[Triangle], is_taken: &dyn Fn(usi
 /// The cheapest triangulation of every range of corners, from short ranges to long ones.
 fn best_of_all(points: &[Point], is_taken: &dyn Fn(usize, usize) -> bool) -> Option<Vec<Triangle>> {
     let count = points.len();
-    let normal = area_vector(points);
+    let normal = area_vector(points.iter().copied());
     let mut cost = vec![vec![0.0f64; count]; count];
     let mut apex = vec![vec![0usize; count]; count];
     for length in 2..count {
@@ -96,7 +96,7 @@ fn triangle_cost([a, b, c]: [Point; 3], normal: Point) -> f64 {
 
 /// Ears in the plane in which the polygon's area vector is largest.
 fn by_ears(points: &[Point]) -> Vec<Triangle> {
-    let normal = area_vector(points);
+    let normal = area_vector(points.iter().copied());
     let (x, y) = plane_of(normal);
     if points.iter().flatten().any(|value| !value.is_finite()) {
         return Vec::new();
@@ -153,24 +153,6 @@ fn is_triangulation(count: usize, triangles: &[Triangle]) -> bool {
     })
 }
 
-/// The sum of a fan's cross products: twice the area vector.
-fn area_vector(points: &[Point]) -> Point {
-    let spokes = points.windows(2).map(|pair| cross(minus(pair[0], points[0]), minus(pair[1], points[0])));
-    spokes.fold([0.0; 3], |sum, part| std::array::from_fn(|i| sum[i] + part[i]))
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -209,7 +191,7 @@ mod tests {
             let mut triangles = triangulate_polygon(&points, &|_, _| false).unwrap();
             triangles.iter_mut().for_each(|t| t.sort_unstable());
             assert!(is_triangulation(count, &triangles), "{count}");
-            let total = area_vector(&points)[2];
+            let total = area_vector(points.iter().copied())[2];
             let sum: f64 = triangles
                 .iter()
                 .map(|&[a, b, c]| cross(minus(points[b], points[a]), minus(points[c], points[a]))[2].abs())

@@ -5,7 +5,7 @@
 
 use meshmend_core::{Connectivity, FaceId, PolygonMesh};
 
-type Point = [f64; 3];
+use crate::vector::{Point, cross, dot, length, minus};
 
 /// For each closed patch whether it lies inside an odd number of the others.
 ///
@@ -73,18 +73,6 @@ impl<'a> Shell<'a> {
 
 fn solid_angle(a: Point, b: Point, c: Point) -> f64 {
     let (x, y, z) = (length(a), length(b), length(c));
-    let volume = dot(a, [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]]);
+    let volume = dot(a, cross(b, c));
     2.0 * volume.atan2(x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y)
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn length(a: Point) -> f64 {
-    dot(a, a).sqrt()
 }

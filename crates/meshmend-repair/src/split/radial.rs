@@ -11,7 +11,7 @@ use std::cmp::Ordering;
 use meshmend_core::{Connectivity, CornerId, EdgeId, PolygonMesh};
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-type Point = [f64; 3];
+use crate::vector::{Point, area_vector, cross, minus};
 
 /// A use of an edge in its place round it.
 #[derive(Clone, Copy, Debug)]
@@ -99,30 +99,8 @@ fn half_plane<K: Connectivity>(
     Some(std::array::from_fn(|i| low[i] + inward[i] * shrink)).filter(is_finite)
 }
 
-/// Twice the area vector of a polygon: the sum of a fan's cross products.
-fn area_vector(mut points: impl Iterator<Item = Point>) -> Point {
-    let Some(first) = points.next() else { return [0.0; 3] };
-    let mut sum = [0.0; 3];
-    let mut before: Option<Point> = None;
-    for point in points.map(|p| minus(p, first)) {
-        if let Some(last) = before.replace(point) {
-            let part = cross(last, point);
-            sum = std::array::from_fn(|i| sum[i] + part[i]);
-        }
-    }
-    sum
-}
-
 fn is_finite(point: &Point) -> bool {
     point.iter().all(|x| x.is_finite())
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The line of an edge, and exact questions about half-planes that it bounds.

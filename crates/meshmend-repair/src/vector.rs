@@ -1,0 +1,47 @@
+//! Points and vectors in space, in doubles.
+
+/// A point, or the vector from the origin to it.
+pub(crate) type Point = [f64; 3];
+
+pub(crate) fn minus(a: Point, b: Point) -> Point {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+pub(crate) fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(crate) fn cross(a: Point, b: Point) -> Point {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(crate) fn length(a: Point) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// Twice the area vector of a polygon: the sum of a fan's cross products, taken from its first corner.
+pub(crate) fn area_vector(mut corners: impl Iterator<Item = Point>) -> Point {
+    let Some(first) = corners.next() else { return [0.0; 3] };
+    let mut sum = [0.0; 3];
+    let mut last: Option<Point> = None;
+    for spoke in corners.map(|corner| minus(corner, first)) {
+        if let Some(before) = last.replace(spoke) {
+            let part = cross(before, spoke);
+            sum = std::array::from_fn(|i| sum[i] + part[i]);
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_area_vector_of_a_square_is_twice_its_area_long() {
+        let square = [[1.0, 1.0, 5.0], [3.0, 1.0, 5.0], [3.0, 3.0, 5.0], [1.0, 3.0, 5.0]];
+        assert_eq!(area_vector(square.into_iter()), [0.0, 0.0, 8.0]);
+        assert_eq!(area_vector(square.into_iter().rev()), [0.0, 0.0, -8.0]);
+        assert_eq!(area_vector(std::iter::empty()), [0.0; 3]);
+    }
+}
