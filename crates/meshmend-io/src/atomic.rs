@@ -29,6 +29,51 @@ pub fn replace_file<E: From<io::Error>>(
     path: &Path,
     fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
 ) -> Result<(), E> {
+    replace_file_on(&Disk, path, fill)
+}
+
+/// What it takes to put a new file in the place of an old one; apart, so that every step can be made to fail.
+trait FileSystem {
+    type File: Write;
+    fn create_new(&self, path: &Path) -> io::Result<Self::File>;
+    fn set_permissions(&self, file: &Self::File, permissions: fs::Permissions) -> io::Result<()>;
+    fn sync(&self, file: &Self::File) -> io::Result<()>;
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
+    fn remove(&self, path: &Path) -> io::Result<()>;
+}
+
+/// The system's own files.
+struct Disk;
+
+impl FileSystem for Disk {
+    type File = File;
+
+    fn create_new(&self, path: &Path) -> io::Result<File> {
+        OpenOptions::new().write(true).create_new(true).open(path)
+    }
+
+    fn set_permissions(&self, file: &File, permissions: fs::Permissions) -> io::Result<()> {
+        file.set_permissions(permissions)
+    }
+
+    fn sync(&self, file: &File) -> io::Result<()> {
+        file.sync_all()
+    }
+
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+        fs::rename(from, to)
+    }
+
+    fn remove(&self, path: &Path) -> io::Result<()> {
+        fs::remove_file(path)
+    }
+}
+
+fn replace_file_on<E: From<io::Error>>(
+    system: &impl FileSystem,
+    path: &Path,
+    fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+) -> Result<(), E> {
     let old = match fs::metadata(path) {
         Ok(old) => Some(old),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
@@ -50,19 +95,20 @@ pub fn replace_file<E: From<io::Error>>(
         OpenOptions::new().write(true).open(path)?;
     }
     let target = if old.is_some() { fs::canonicalize(path)? } else { path.to_owned() };
-    let mut temporary = Temporary::beside(&target)?;
+    let mut temporary = Temporary::beside(system, &target)?;
     fill(&mut temporary.file)?;
     temporary.file.flush()?;
     if let Some(old) = old {
-        temporary.file.set_permissions(old.permissions())?;
+        system.set_permissions(&temporary.file, old.permissions())?;
     }
-    temporary.file.sync_all()?;
+    system.sync(&temporary.file)?;
     Ok(temporary.take_the_name_of(&target)?)
 }
 
 /// A temporary file, removed when dropped.
-struct Temporary {
-    file: File,
+struct Temporary<'a, S: FileSystem> {
+    system: &'a S,
+    file: S::File,
     path: PathBuf,
 }
 
@@ -72,8 +118,8 @@ const SUFFIX: &str = ".meshmend-tmp";
 /// How much of a target's name is in that of its temporary file: names have a longest length.
 const LONGEST_STEM: usize = 120;
 
-impl Temporary {
-    fn beside(target: &Path) -> io::Result<Self> {
+impl<'a, S: FileSystem> Temporary<'a, S> {
+    fn beside(system: &'a S, target: &Path) -> io::Result<Self> {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         let (folder, stem) = folder_and_stem(target)?;
         remove_debris(folder, &stem);
@@ -82,8 +128,8 @@ impl Temporary {
             name.push(format!("{}-{}{SUFFIX}", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed)));
             let path = folder.join(name);
             let is_new = in_use().insert(path.clone());
-            match OpenOptions::new().write(true).create_new(true).open(&path) {
-                Ok(file) => return Ok(Temporary { file, path }),
+            match system.create_new(&path) {
+                Ok(file) => return Ok(Temporary { system, file, path }),
                 Err(error) => {
                     if is_new {
                         in_use().remove(&path);
@@ -97,7 +143,7 @@ impl Temporary {
     }
 
     fn take_the_name_of(self, target: &Path) -> io::Result<()> {
-        fs::rename(&self.path, target)?;
+        self.system.rename(&self.path, target)?;
         // The new name must reach the disk as well. Where folders can't be synchronised there is nothing to do.
         if let (Ok((folder, _)), true) = (folder_and_stem(target), cfg!(unix)) {
             File::open(folder).and_then(|folder| folder.sync_all()).ok();
@@ -106,10 +152,10 @@ impl Temporary {
     }
 }
 
-impl Drop for Temporary {
+impl<S: FileSystem> Drop for Temporary<'_, S> {
     fn drop(&mut self) {
         // After the renaming there is no such file, and nothing to remove.
-        fs::remove_file(&self.path).ok();
+        self.system.remove(&self.path).ok();
         in_use().remove(&self.path);
     }
 }
@@ -165,6 +211,10 @@ fn may_run(process: u32, entry: &fs::DirEntry) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+    use std::ops::Range;
+    use std::rc::Rc;
+
     use super::*;
 
     /// An empty folder that is removed again.
@@ -298,6 +348,124 @@ mod tests {
         fs::set_permissions(&real, fs::Permissions::from_mode(0o440)).unwrap();
         assert_eq!(write(&real, "x").unwrap_err().kind(), io::ErrorKind::PermissionDenied);
         assert_eq!(fs::read_to_string(&real).unwrap(), "new");
+    }
+
+    /// A file system whose calls fail, one of them or all from there on.
+    struct Failing {
+        calls: Rc<Calls>,
+    }
+
+    struct Calls {
+        made: Cell<usize>,
+        failing: Range<usize>,
+        error: io::ErrorKind,
+    }
+
+    impl Calls {
+        fn next(&self) -> io::Result<()> {
+            let this = self.made.replace(self.made.get() + 1);
+            if self.failing.contains(&this) { Err(self.error.into()) } else { Ok(()) }
+        }
+    }
+
+    struct FailingFile {
+        file: File,
+        calls: Rc<Calls>,
+    }
+
+    impl Write for FailingFile {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.calls.next()?;
+            self.file.write(&bytes[..bytes.len().min(3)])
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            self.calls.next()
+        }
+    }
+
+    impl FileSystem for Failing {
+        type File = FailingFile;
+
+        fn create_new(&self, path: &Path) -> io::Result<FailingFile> {
+            self.calls.next()?;
+            Ok(FailingFile { file: Disk.create_new(path)?, calls: self.calls.clone() })
+        }
+
+        fn set_permissions(&self, file: &FailingFile, permissions: fs::Permissions) -> io::Result<()> {
+            self.calls.next()?;
+            Disk.set_permissions(&file.file, permissions)
+        }
+
+        fn sync(&self, file: &FailingFile) -> io::Result<()> {
+            self.calls.next()?;
+            Disk.sync(&file.file)
+        }
+
+        fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+            self.calls.next()?;
+            Disk.rename(from, to)
+        }
+
+        fn remove(&self, path: &Path) -> io::Result<()> {
+            self.calls.next()?;
+            Disk.remove(path)
+        }
+    }
+
+    const ERRORS: [io::ErrorKind; 3] =
+        [io::ErrorKind::StorageFull, io::ErrorKind::Other, io::ErrorKind::Interrupted];
+
+    /// Writes `new` with failing calls; whether that worked, and how many calls were made.
+    fn write_failing(
+        path: &Path,
+        new: &str,
+        failing: Range<usize>,
+        error: io::ErrorKind,
+    ) -> (io::Result<()>, usize) {
+        let calls = Rc::new(Calls { made: Cell::new(0), failing, error });
+        let system = Failing { calls: calls.clone() };
+        let result = replace_file_on(&system, path, |out| out.write_all(new.as_bytes()));
+        (result, calls.made.get())
+    }
+
+    #[test]
+    fn whichever_call_fails_the_file_is_the_old_or_the_new_one_and_alone() {
+        let folder = Folder::new("each-call");
+        let path = folder.0.join("mesh.obj");
+        write(&path, "old").unwrap();
+        let calls = write_failing(&path, "the new bytes", 0..0, io::ErrorKind::Other).1;
+        // Creating, five writes, flushing, permissions, synchronising, renaming, removing.
+        assert_eq!(calls, 11);
+        for (error, failing) in ERRORS.iter().flat_map(|&error| (0..calls).map(move |k| (error, k))) {
+            write(&path, "old").unwrap();
+            let result = write_failing(&path, "the new bytes", failing..failing + 1, error).0;
+            let is_retried = error == io::ErrorKind::Interrupted && (1..=5).contains(&failing);
+            // Removing comes last, when the renaming has left nothing to remove.
+            let works = is_retried || failing == 10;
+            assert_eq!(result.is_ok(), works, "{error} at call {failing}");
+            let expected = if works { "the new bytes" } else { "old" };
+            assert_eq!(fs::read_to_string(&path).unwrap(), expected, "{error} at call {failing}");
+            assert_eq!(folder.names(), ["mesh.obj"], "{error} at call {failing}");
+        }
+    }
+
+    #[test]
+    fn when_all_calls_fail_from_one_on_the_old_file_is_whole_and_the_next_run_clears() {
+        let folder = Folder::new("from-a-call-on");
+        let path = folder.0.join("mesh.obj");
+        for failing in 0..10 {
+            write(&path, "old").unwrap();
+            let result =
+                write_failing(&path, "the new bytes", failing..usize::MAX, io::ErrorKind::StorageFull).0;
+            assert_eq!(result.unwrap_err().kind(), io::ErrorKind::StorageFull);
+            assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+            // What was created could not be removed either.
+            assert_eq!(folder.names().len(), if failing == 0 { 1 } else { 2 });
+            write(&path, "next").unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), "next");
+            assert_eq!(folder.names(), ["mesh.obj"]);
+        }
     }
 
     #[cfg(target_os = "linux")]

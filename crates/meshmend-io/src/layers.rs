@@ -65,7 +65,7 @@ fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
 }
 
 /// The loss of a pool of values none of which any element uses, in a format that stores values with elements.
-pub(crate) fn unused_layer_loss(layer: &Layer) -> Option<Loss> {
+fn unused_layer_loss(layer: &Layer) -> Option<Loss> {
     let (domain, name) = (domain_name(layer.domain()), layer.name());
     let values = if absent(layer) == layer.element_count() { layer.value_count() } else { 0 };
     Loss::if_any(LossKind::Layer, values, |count| {

@@ -117,16 +117,68 @@ fn read_whole(path: &Path, limit: u64) -> Result<Vec<u8>, ReadErrorKind> {
     if status.is_dir() {
         return Err(ReadErrorKind::Io(io::Error::from(io::ErrorKind::IsADirectory)));
     }
+    take_in(file, status.len(), limit)
+}
+
+/// All that a source gives, which says that it holds `announced` bytes.
+fn take_in(from: impl Read, announced: u64, limit: u64) -> Result<Vec<u8>, ReadErrorKind> {
     let exceeded = |found| ReadErrorKind::LimitExceeded { what: "bytes", found, limit };
-    if status.len() > limit {
-        return Err(exceeded(status.len()));
+    if announced > limit {
+        return Err(exceeded(announced));
     }
     let mut bytes = Vec::new();
     let too_large = |_| ReadErrorKind::Io(io::Error::from(io::ErrorKind::OutOfMemory));
-    bytes.try_reserve_exact(status.len() as usize + 1).map_err(too_large)?;
-    file.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(ReadErrorKind::Io)?;
+    let room = usize::try_from(announced).unwrap_or(usize::MAX).saturating_add(1);
+    bytes.try_reserve_exact(room).map_err(too_large)?;
+    from.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(ReadErrorKind::Io)?;
     if bytes.len() as u64 > limit {
         return Err(exceeded(bytes.len() as u64));
     }
     Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Gives a few bytes at a time; one call fails.
+    struct Failing<'a> {
+        rest: &'a [u8],
+        calls: usize,
+        failing: usize,
+        error: io::ErrorKind,
+    }
+
+    impl Read for Failing<'_> {
+        fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+            self.calls += 1;
+            if self.calls == self.failing {
+                return Err(self.error.into());
+            }
+            let most = into.len().min(3);
+            self.rest.read(&mut into[..most])
+        }
+    }
+
+    #[test]
+    fn whichever_read_fails_the_error_comes_back_and_interruptions_are_nothing() {
+        let content = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        // One more call finds the end.
+        for failing in 1..=content.len().div_ceil(3) + 1 {
+            for announced in [0, content.len() as u64] {
+                let source = |error| Failing { rest: content, calls: 0, failing, error };
+                match take_in(source(io::ErrorKind::Other), announced, 1000) {
+                    Err(ReadErrorKind::Io(error)) => assert_eq!(error.kind(), io::ErrorKind::Other),
+                    other => panic!("call {failing}: {other:?}"),
+                }
+                assert_eq!(take_in(source(io::ErrorKind::Interrupted), announced, 1000).unwrap(), content);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_announced_beyond_all_memory_is_an_error() {
+        let taken = take_in(io::empty(), u64::MAX, u64::MAX);
+        assert!(matches!(taken, Err(ReadErrorKind::Io(error)) if error.kind() == io::ErrorKind::OutOfMemory));
+    }
 }

@@ -152,19 +152,38 @@ proptest! {
     ) {
         let mesh = numbered(&soup);
         let first = plan.pipeline().run(&mesh);
-        for kernel in KernelKind::ALL.iter().filter(|k| k.capabilities().is_permissive()) {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        for kernel in KernelKind::ALL {
             let other = pool.install(|| plan.pipeline().on_kernel(*kernel).run(&mesh));
             match (&first, &other) {
+                (_, Err(PassError::Refused(_))) if !kernel.capabilities().is_permissive() => {}
                 (Ok(one), Ok(other)) => {
                     assert_same_mesh(&one.mesh, &other.mesh);
                     prop_assert_eq!(&one.provenance, &other.provenance);
                 }
                 (Err(one), Err(other)) => prop_assert_eq!(one.to_string(), other.to_string()),
-                _ => prop_assert!(false, "one kernel repairs and another does not"),
+                _ => prop_assert!(false, "one kernel repairs and {} does not", kernel),
             }
         }
         prop_assert!(!matches!(first, Err(PassError::Promise { .. } | PassError::Draft(_))), "{:?}", first.err());
+    }
+
+    #[test]
+    fn strict_kernels_repair_what_they_hold_just_the_same(
+        (_, _, soup) in worlds::damaged_shape(),
+        plan in plans(),
+    ) {
+        let mesh = numbered(&soup);
+        let Ok(first) = plan.pipeline().run(&mesh) else { return Ok(()) };
+        for kernel in KernelKind::ALL.iter().filter(|k| !k.capabilities().is_permissive()) {
+            match plan.pipeline().on_kernel(*kernel).run(&mesh) {
+                Ok(other) => {
+                    assert_same_mesh(&first.mesh, &other.mesh);
+                    prop_assert_eq!(&first.provenance, &other.provenance);
+                }
+                Err(error) => prop_assert!(matches!(error, PassError::Refused(_)), "{}: {}", kernel, error),
+            }
+        }
     }
 
     #[test]

@@ -4,9 +4,7 @@ use std::collections::BTreeSet;
 
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
-use crate::layers::{
-    absent, domain_name, elements, layer_losses, metadata_losses, one_line, point_loss, unused_layer_loss,
-};
+use crate::layers::{absent, domain_name, elements, layer_losses, metadata_losses, one_line, point_loss};
 use crate::ply::layers::usual;
 use crate::ply::scalar::Scalar;
 use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES};
@@ -49,7 +47,6 @@ const KEYS: [&str; 3] = ["comment", "obj_info", PROPERTY_NAMES];
 pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
     let plan = Plan::of(mesh);
     let mut losses = layer_losses(mesh, &plan.layers());
-    losses.extend(plan.layers().into_iter().filter_map(unused_layer_loss));
     losses.extend(plan.losses);
     losses.extend(point_loss(mesh));
     losses.extend(metadata_losses(mesh, &KEYS));
@@ -103,6 +100,8 @@ impl<'a> Plan<'a> {
         match (layer.domain(), layer.values()) {
             (_, Values::Text(_)) => {}
             (Domain::Corner, Values::Lists { .. }) => {}
+            // A property of empty lists would be read as one of the faces.
+            (Domain::Corner, _) if absent(layer) == layer.element_count() => {}
             (Domain::Corner, values) => {
                 let Some(item) = Scalar::of(values) else { return };
                 let is_usual = layer.name() == "texcoord" && layer.width() == 2;

@@ -365,3 +365,15 @@ fn ply_rs_reads_what_is_written() {
         assert_eq!(faces[0]["area"], Property::Double(0.5));
     }
 }
+
+/// As is left when the only faces with values were removed.
+#[test]
+fn a_corner_layer_without_any_value_is_left_out() {
+    let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec()).unwrap();
+    let uses = vec![meshmend_core::NO_VALUE; 3];
+    let layer = Layer::indexed("texcoord", Domain::Corner, 2, Carry::Copy, Values::F32(Vec::new()), uses);
+    let mesh = PolygonMesh::new(vec![[0.0; 3]; 3], faces).unwrap().with_layers(vec![layer]).unwrap();
+    let (bytes, losses) = written(&mesh, Format::Ply, Encoding::Ascii);
+    assert_eq!(losses, []);
+    assert!(read(bytes).mesh.layers().is_empty());
+}
