@@ -205,9 +205,7 @@ impl Pieces {
         let faces = builder.build(mesh.counts().vertices)?;
         let draft =
             Draft::of_faces(mesh, faces, Sources::listed(face_sources), Sources::listed(corner_sources));
-        let mut mended = self.mended;
-        mended.sort();
-        Ok(Outcome::changed(mesh.rebuild(draft)?, mended))
+        Ok(Outcome::changed(mesh.rebuild(draft)?, self.mended.into()))
     }
 }
 

@@ -66,7 +66,7 @@ impl Pass for Compact {
         if mended.is_empty() {
             return Ok(Outcome::unchanged(mesh));
         }
-        Ok(Outcome::changed(mesh.rebuild(draft(mesh, &is_kept, drop_loose)?)?, mended))
+        Ok(Outcome::changed(mesh.rebuild(draft(mesh, &is_kept, drop_loose)?)?, mended.into()))
     }
 }
 

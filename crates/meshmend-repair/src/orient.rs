@@ -24,7 +24,7 @@ use meshmend_kernels::KernelTask;
 use meshmend_topology::{OneSidedStrip, orientability, patches as patches_of};
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames};
+use crate::{Context, Mended, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames};
 
 mod cycles;
 mod nesting;
@@ -239,8 +239,7 @@ impl Task<'_> {
         let is_changed =
             found.is_alive.values().contains(&false) || found.is_flipped.values().contains(&true);
         let mut outcome = if is_changed { self.rebuilt(&found)? } else { Outcome::unchanged(self.mesh) };
-        mended.sort();
-        outcome.mended = mended;
+        outcome.mended = mended.into();
         outcome.left = self.opposite_left(cycles, &found);
         if !found.non_orientable.is_empty() {
             self.judge_non_orientable(&mut outcome)?;
@@ -309,7 +308,7 @@ impl Task<'_> {
                 Sources::listed(corner_sources),
             )
         };
-        Ok(Outcome::changed(self.mesh.rebuild(draft)?, Vec::new()))
+        Ok(Outcome::changed(self.mesh.rebuild(draft)?, Mended::default()))
     }
 
     /// Opposite duplicates, by the new faces' ids.

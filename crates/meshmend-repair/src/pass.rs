@@ -10,6 +10,8 @@ use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;
 use thiserror::Error;
 
+use crate::Mended;
+
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
 pub trait Pass {
     /// What the pass is called in plans, reports and on the command line.
@@ -36,7 +38,7 @@ pub struct Outcome {
     /// Where each of its elements came from.
     pub provenance: Provenance,
     /// What was wrong and no longer is, by ids of the mesh before.
-    pub mended: Vec<Defect>,
+    pub mended: Mended,
     /// What the pass saw and left alone, by ids of the mesh after.
     pub left: Vec<Defect>,
     /// The topology of the mesh after, where the pass looked at all of it.
@@ -45,7 +47,7 @@ pub struct Outcome {
 
 impl Outcome {
     /// The outcome of a pass that made a new mesh.
-    pub(crate) fn changed((mesh, provenance): (PolygonMesh, Provenance), mended: Vec<Defect>) -> Self {
+    pub(crate) fn changed((mesh, provenance): (PolygonMesh, Provenance), mended: Mended) -> Self {
         Outcome { mesh, provenance, mended, left: Vec::new(), report: None }
     }
 
@@ -54,7 +56,7 @@ impl Outcome {
         Outcome {
             provenance: Provenance::same(mesh.counts()),
             mesh: mesh.clone(),
-            mended: Vec::new(),
+            mended: Mended::default(),
             left: Vec::new(),
             report: None,
         }

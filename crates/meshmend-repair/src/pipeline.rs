@@ -7,7 +7,9 @@ use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;
 
 use crate::figures::Figures;
-use crate::{AnyPass, Context, History, NonOrientable, Outcome, PassError, PassKind, Seams, SplitEdges};
+use crate::{
+    AnyPass, Context, History, Mended, NonOrientable, Outcome, PassError, PassKind, Seams, SplitEdges,
+};
 
 /// Passes in order, with their options.
 ///
@@ -71,7 +73,7 @@ pub struct PassRecord {
     /// Whether it changed anything.
     pub is_changed: bool,
     /// What was wrong and no longer is, by ids of the mesh before this pass.
-    pub mended: Vec<Defect>,
+    pub mended: Mended,
     /// What it left alone, by ids of the mesh after it.
     pub left: Vec<Defect>,
     /// χ, components and boundary loops before and after, if asked for.
@@ -214,8 +216,12 @@ impl Run {
 
     /// Finds, for each face of which this pass left nothing, the defect that names it.
     fn name_removed_faces(&mut self, pass: PassKind, outcome: &Outcome) {
-        let mut reasons: Vec<(FaceId, DefectKind)> =
-            outcome.mended.iter().filter_map(|defect| Some((removed_face(defect)?, defect.kind()))).collect();
+        let mut reasons: Vec<(FaceId, DefectKind)> = outcome
+            .mended
+            .listed()
+            .iter()
+            .filter_map(|defect| Some((removed_face(defect)?, defect.kind())))
+            .collect();
         reasons.sort_unstable();
         for face in outcome.provenance.removed_faces() {
             let at = reasons.partition_point(|(named, _)| *named < face);

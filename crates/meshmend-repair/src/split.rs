@@ -169,8 +169,7 @@ impl Task<'_> {
         let coincident =
             inserted.edges.iter().map(|&e| Defect::CoincidentEdges { ends: kernel.edge_ends(e) });
         mended.extend(coincident.chain(seam));
-        mended.sort();
-        let outcome = Outcome::changed(self.mesh.rebuild(self.draft(names, inserted)?)?, mended);
+        let outcome = Outcome::changed(self.mesh.rebuild(self.draft(names, inserted)?)?, mended.into());
         Ok(Outcome { left: self.left(&outcome.mesh), ..outcome })
     }
 

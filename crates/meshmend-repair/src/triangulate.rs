@@ -192,7 +192,7 @@ impl<'a> Cutter<'a> {
             created_corners: self.created_corners,
             ..Draft::of_faces(self.mesh, faces, face_sources, corner_sources)
         };
-        Ok(Outcome { left: self.left, ..Outcome::changed(self.mesh.rebuild(draft)?, self.mended) })
+        Ok(Outcome { left: self.left, ..Outcome::changed(self.mesh.rebuild(draft)?, self.mended.into()) })
     }
 }
 

@@ -15,11 +15,11 @@
 //! non-manifold, so that there welding is stitching and can't make a mesh worse. *Cost*: O(n log n) exact; see the
 //! grid for tolerance.
 
-use meshmend_core::{Defect, DefectKind, Draft, FaceTable, Id, PolygonMesh, Sources, VertexId};
+use meshmend_core::{DefectKind, Draft, FaceTable, Id, PolygonMesh, Sources, VertexId};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Outcome, Pass, PassError, near};
+use crate::{Context, Mended, Outcome, Pass, PassError, near};
 
 /// Joins vertices that are in the same place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -76,7 +76,7 @@ impl Pass for Weld {
             Distance::Absolute(epsilon) => within(mesh, epsilon, context)?,
             Distance::Relative(part) => within(mesh, part * near::diagonal(mesh.positions()), context)?,
         };
-        join_to(mesh, &lowest)
+        join_to(mesh, lowest)
     }
 }
 
@@ -120,13 +120,12 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
 }
 
 /// The mesh with each vertex replaced by the lowest one of its class.
-fn join_to(mesh: &PolygonMesh, lowest: &[VertexId]) -> Result<Outcome, PassError> {
-    let joined = lowest.iter().zip(0..).filter(|&(low, v)| low.0 != v);
-    let mended: Vec<Defect> =
-        joined.map(|(&original, v)| Defect::CoincidentVertex { vertex: VertexId(v), original }).collect();
+fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Result<Outcome, PassError> {
+    let mended = Mended::joined(lowest);
     if mended.is_empty() {
         return Ok(Outcome::unchanged(mesh));
     }
+    let lowest = mended.joined_to();
     let mut new_id = vec![VertexId(0); lowest.len()];
     let mut sources = Vec::with_capacity(lowest.len() - mended.len());
     for (v, &low) in lowest.iter().enumerate() {

@@ -152,17 +152,17 @@ impl PassDocument {
         PassDocument {
             pass: record.pass,
             changed: record.is_changed,
-            mended: by_kind(&record.mended, limit),
-            left: by_kind(&record.left, limit),
+            mended: by_kind(record.mended.iter(), limit),
+            left: by_kind(record.left.iter().cloned(), limit),
             delta: record.figures.map(|[before, after]| FigureChanges::between(before, after)),
         }
     }
 }
 
-fn by_kind(defects: &[Defect], limit: usize) -> BTreeMap<DefectKind, Listing<Defect>> {
+fn by_kind(defects: impl Iterator<Item = Defect>, limit: usize) -> BTreeMap<DefectKind, Listing<Defect>> {
     let mut groups: BTreeMap<DefectKind, Listing<Defect>> = BTreeMap::new();
     for defect in defects {
-        groups.entry(defect.kind()).or_default().add(limit, || defect.clone());
+        groups.entry(defect.kind()).or_default().add(limit, || defect);
     }
     groups
 }

@@ -1,0 +1,59 @@
+//! What a pass mended, in little memory.
+
+use meshmend_core::{Defect, Id, VertexId};
+
+/// What was wrong and no longer is, by ids of the mesh before.
+///
+/// Welding a soup of ten million triangles joins twenty-five million vertices, so those are kept as one map and are
+/// made into defects as they are asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Mended {
+    listed: Vec<Defect>,
+    /// For each vertex the one that it was joined to, or itself.
+    joined_to: Vec<VertexId>,
+    joined: usize,
+}
+
+impl Mended {
+    /// The vertices that were joined to others: for each vertex the lowest one of its class.
+    pub(crate) fn joined(joined_to: Vec<VertexId>) -> Self {
+        let joined = joined_to.iter().enumerate().filter(|(v, low)| low.index() != *v).count();
+        Mended { listed: Vec::new(), joined_to, joined }
+    }
+
+    /// How many defects were mended.
+    pub fn len(&self) -> usize {
+        self.listed.len() + self.joined
+    }
+
+    /// Whether there was nothing to mend.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The defects, by kind and id.
+    pub fn iter(&self) -> impl Iterator<Item = Defect> + '_ {
+        let joined = self.joined_to.iter().enumerate().filter(|(v, low)| low.index() != *v);
+        let joined =
+            joined.map(|(v, &original)| Defect::CoincidentVertex { vertex: VertexId::new(v), original });
+        self.listed.iter().cloned().chain(joined)
+    }
+
+    /// For each vertex the one that it was joined to, or itself; empty where none was.
+    pub(crate) fn joined_to(&self) -> &[VertexId] {
+        &self.joined_to
+    }
+
+    /// The defects but for vertices that were joined.
+    pub(crate) fn listed(&self) -> &[Defect] {
+        &self.listed
+    }
+}
+
+impl From<Vec<Defect>> for Mended {
+    /// Sorts them by kind and id.
+    fn from(mut listed: Vec<Defect>) -> Self {
+        listed.sort();
+        Mended { listed, ..Mended::default() }
+    }
+}
