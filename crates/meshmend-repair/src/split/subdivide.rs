@@ -1,8 +1,9 @@
 //! Gives edges that would coincide a vertex of their own each.
 //!
 //! Two different matched edges, or free uses, may come to join the same two new vertices, their umbrellas being
-//! connected elsewhere. By index they would be one edge again. Then every edge at that place is subdivided, each at
-//! the first free point of 1/2, 1/3, 2/3, 1/4, … 63/64 between the lower and the higher vertex of the edge.
+//! connected elsewhere. By index they would be one edge again. Then every edge at that place is subdivided, each by a
+//! vertex of its own, all of them at the first point of 1/2, 1/3, 2/3, 1/4, … 63/64 between the lower and the higher
+//! vertex at which there is no vertex yet.
 
 use std::collections::BTreeSet;
 
@@ -40,13 +41,12 @@ pub(super) fn subdivide<K: Connectivity>(
     let mut occupied: BTreeSet<[u64; 3]> = names.positions.iter().map(|&p| key(p)).collect();
     for edge in inserted.edges.clone() {
         let ends = kernel.edge_ends(edge).map(|v| mesh.position(v));
-        let mut points = Points { ends, ratios: Box::new(ratios()) };
+        let (position, ratio) = free_point(ends, &mut occupied);
         for corner in kernel.edge_corners(edge) {
             let mate = matching.mate(corner);
             if mate.is_some_and(|mate| mate < corner) {
                 continue;
             }
-            let (position, ratio) = points.next_free(&mut occupied);
             let place = inserted.vertices.len() as u32;
             inserted.vertices.push(VertexDraft { position, place: blend(kernel, corner, ratio) });
             for side in [Some(corner), mate].into_iter().flatten() {
@@ -76,31 +76,15 @@ fn coincide<K: Connectivity>(kernel: &K, matching: &Matching, names: &NewVertice
     ends.windows(2).any(|pair| pair[0] == pair[1])
 }
 
-/// The ratios of the text, and at last the midpoint for all that remain.
-fn ratios() -> impl Iterator<Item = (u32, u32)> {
-    (2..=64).flat_map(|d| (1..d).map(move |n| (n, d)))
-}
-
-/// The points of one edge that are still to be tried; what was occupied once stays so.
-struct Points {
-    ends: [[f64; 3]; 2],
-    ratios: Box<dyn Iterator<Item = (u32, u32)>>,
-}
-
-impl Points {
-    fn next_free(&mut self, occupied: &mut BTreeSet<[u64; 3]>) -> ([f64; 3], (u32, u32)) {
-        let ends = self.ends;
-        let at = |(n, d): (u32, u32)| -> [f64; 3] {
-            let between = |i: usize| ends[0][i] + (ends[1][i] - ends[0][i]) * f64::from(n) / f64::from(d);
-            std::array::from_fn(between)
-        };
-        for ratio in self.ratios.by_ref() {
-            if occupied.insert(key(at(ratio))) {
-                return (at(ratio), ratio);
-            }
-        }
-        (at((1, 2)), (1, 2))
-    }
+/// The first free point between two ends, which is then occupied, with its ratio; the midpoint if none is free.
+fn free_point(ends: [[f64; 3]; 2], occupied: &mut BTreeSet<[u64; 3]>) -> ([f64; 3], (u32, u32)) {
+    let at = |(n, d): (u32, u32)| -> [f64; 3] {
+        std::array::from_fn(|i| ends[0][i] + (ends[1][i] - ends[0][i]) * f64::from(n) / f64::from(d))
+    };
+    let mut ratios = (2..=64).flat_map(|d| (1..d).map(move |n| (n, d)));
+    let free = ratios.find(|&ratio| occupied.insert(key(at(ratio))));
+    let ratio = free.unwrap_or((1, 2));
+    (at(ratio), ratio)
 }
 
 /// A position as bits, −0 being 0.
