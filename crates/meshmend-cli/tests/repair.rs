@@ -283,6 +283,19 @@ fn what_is_left_has_its_place() {
     assert_eq!(strip["edge_ends"][0].as_array().unwrap().len(), 2);
 }
 
+#[test]
+fn a_report_that_can_not_be_written_leaves_no_mesh() {
+    let folder = Folder::new();
+    let output = folder.at("mended.obj");
+    if !std::path::Path::new("/dev/full").exists() {
+        println!("skipped: there is no /dev/full");
+        return;
+    }
+    meshmend(&["repair", &example("broken.obj"), "-o", &output, "--report", "/dev/full"])
+        .fails(4, "/dev/full");
+    assert!(folder.names().is_empty());
+}
+
 /// A pyramid on a concave base: a fan from the base's first corner would leave the base and repeat an edge.
 #[test]
 fn polygons_are_cut_by_the_pass_where_the_format_holds_triangles_alone() {

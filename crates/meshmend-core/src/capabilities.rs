@@ -58,9 +58,11 @@ pub struct Refusal {
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the {} kernel can't hold this mesh:", self.kernel)?;
-        for run in self.defects.chunk_by(|one, other| one.kind() == other.kind()) {
-            write!(f, " {} {} ({});", run.len(), run[0].kind().title(), run[0])?;
+        write!(f, "the {} kernel can't hold this mesh", self.kernel)?;
+        let kinds = self.defects.chunk_by(|one, other| one.kind() == other.kind());
+        for (place, run) in kinds.enumerate() {
+            let before = if place == 0 { ":" } else { ";" };
+            write!(f, "{before} {} {} ({})", run.len(), run[0].kind().title(), run[0])?;
         }
         Ok(())
     }
@@ -168,7 +170,7 @@ mod tests {
         let complex = complex(&[&[0, 1, 2], &[0, 3, 4]]);
         let refusal = Refusal { kernel: "strict", defects: admission(&complex, &STRICT) };
         let text =
-            "the strict kernel can't hold this mesh: 1 pinched vertices (v0 joins 2 umbrellas, all open);";
+            "the strict kernel can't hold this mesh: 1 pinched vertices (v0 joins 2 umbrellas, all open)";
         assert_eq!(refusal.to_string(), text);
     }
 

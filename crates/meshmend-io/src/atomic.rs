@@ -94,7 +94,7 @@ fn replace_file_on<E: From<io::Error>>(
         // Renaming asks for the folder's permission alone; a file that may not be written is not to be replaced.
         OpenOptions::new().write(true).open(path)?;
     }
-    let target = if old.is_some() { fs::canonicalize(path)? } else { path.to_owned() };
+    let target = if old.is_some() { fs::canonicalize(path)? } else { end_of_links(path) };
     let mut temporary = Temporary::beside(system, &target)?;
     fill(&mut temporary.file)?;
     temporary.file.flush()?;
@@ -103,6 +103,17 @@ fn replace_file_on<E: From<io::Error>>(
     }
     system.sync(&temporary.file)?;
     Ok(temporary.take_the_name_of(&target)?)
+}
+
+/// Where a chain of symbolic links leads that ends at no file yet.
+fn end_of_links(path: &Path) -> PathBuf {
+    const LONGEST_CHAIN: usize = 40;
+    let mut end = path.to_owned();
+    for _ in 0..LONGEST_CHAIN {
+        let Ok(next) = fs::read_link(&end) else { break };
+        end = end.parent().map_or(next.clone(), |folder| folder.join(&next));
+    }
+    end
 }
 
 /// A temporary file, removed when dropped.
@@ -345,6 +356,11 @@ mod tests {
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read_to_string(&real).unwrap(), "new");
         assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+        fs::remove_file(&real).unwrap();
+        write(&link, "again").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink(), "a link to nothing yet is followed too");
+        assert_eq!(fs::read_to_string(&real).unwrap(), "again");
+        write(&real, "new").unwrap();
         fs::set_permissions(&real, fs::Permissions::from_mode(0o440)).unwrap();
         assert_eq!(write(&real, "x").unwrap_err().kind(), io::ErrorKind::PermissionDenied);
         assert_eq!(fs::read_to_string(&real).unwrap(), "new");

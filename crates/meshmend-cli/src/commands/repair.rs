@@ -93,7 +93,8 @@ impl Repair {
             document.after = Some(self.after(&mut repaired)?);
         }
         progress.step("write");
-        self.write(&repaired.mesh, target.as_ref(), &mut document)?;
+        self.name_output(&repaired.mesh, target.as_ref(), &mut document);
+        self.write(&repaired.mesh, target.as_ref(), &document)?;
         drop(progress);
         Console::open().write(&self.text(&document)?)?;
         Ok(Status::Done)
@@ -138,19 +139,33 @@ impl Repair {
         Ok(CheckDocument::new(report, self.limit))
     }
 
-    /// Writes the mesh and the report, or in a dry run the report alone. The report is begun first and takes its
-    /// place last, so that there is no report on a mesh that was not written.
+    /// Says in the report what will be written, and what is lost by it.
+    fn name_output(&self, mesh: &PolygonMesh, target: Option<&Target<'_>>, document: &mut RepairDocument) {
+        let Some(Target { path, options }) = target else { return };
+        document.losses = meshmend::io::losses(mesh, options);
+        if self.dry_run {
+            return;
+        }
+        document.output = Some(name(path));
+        if let Some(after) = &mut document.after {
+            (after.file, after.format) = (document.output.clone(), words::variant(options));
+        }
+    }
+
+    /// Writes the mesh and the report, or in a dry run the report alone. The report is written first and takes its
+    /// place last: there is no report on a mesh that was not written, and no mesh where the report can't be.
     fn write(
         &self,
         mesh: &PolygonMesh,
         target: Option<&Target<'_>>,
-        document: &mut RepairDocument,
+        document: &RepairDocument,
     ) -> Result<(), Failure> {
-        let Some(report) = &self.report else { return self.write_mesh(mesh, target, document) };
+        let Some(report) = &self.report else { return self.write_mesh(mesh, target) };
+        let text = json_line(document)?;
         let written = replace_file(report, |out| -> Result<(), Interrupted> {
-            self.write_mesh(mesh, target, document).map_err(Interrupted::Mesh)?;
-            let text = json_line(document).map_err(Interrupted::Mesh)?;
-            Ok(out.write_all(text.as_bytes())?)
+            out.write_all(text.as_bytes())?;
+            out.flush()?;
+            self.write_mesh(mesh, target).map_err(Interrupted::Mesh)
         });
         written.map_err(|interrupted| match interrupted {
             Interrupted::Mesh(failure) => failure,
@@ -158,23 +173,14 @@ impl Repair {
         })
     }
 
-    fn write_mesh(
-        &self,
-        mesh: &PolygonMesh,
-        target: Option<&Target<'_>>,
-        document: &mut RepairDocument,
-    ) -> Result<(), Failure> {
-        let Some(Target { path, options }) = target else { return Ok(()) };
-        if self.dry_run {
-            document.losses = meshmend::io::losses(mesh, options);
-            return Ok(());
+    fn write_mesh(&self, mesh: &PolygonMesh, target: Option<&Target<'_>>) -> Result<(), Failure> {
+        match target {
+            Some(Target { path, options }) if !self.dry_run => {
+                meshmend::write(path, mesh, options)?;
+                Ok(())
+            }
+            _ => Ok(()),
         }
-        document.losses = meshmend::write(path, mesh, options)?;
-        document.output = Some(name(path));
-        if let Some(after) = &mut document.after {
-            (after.file, after.format) = (document.output.clone(), words::variant(options));
-        }
-        Ok(())
     }
 
     fn text(&self, document: &RepairDocument) -> Result<String, Failure> {

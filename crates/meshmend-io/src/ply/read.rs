@@ -250,10 +250,13 @@ impl<'a> Reader<'a> {
             );
             return skip(element, data);
         };
-        let more = element.properties.len() as u64 - 2;
-        let message = "properties of loose edges were skipped";
-        let (source, at) = (self.source, element.at);
-        self.parts.notes.add_many(NoteKind::LooseAttribute, message, more, || source.line(at));
+        let others =
+            element.properties.iter().enumerate().filter(|(column, _)| ![one, other].contains(column));
+        for (_, property) in others {
+            let message = format!("property `{}` of loose edges was skipped", property.name);
+            let (source, at) = (self.source, element.at);
+            self.parts.notes.add_many(NoteKind::LooseAttribute, &message, element.count, || source.line(at));
+        }
         for _ in 0..element.count {
             let mut ends = [VertexId(0); 2];
             for (column, property) in element.properties.iter().enumerate() {
