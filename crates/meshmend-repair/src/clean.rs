@@ -9,8 +9,9 @@
 //! 4. Of faces with the same directed cycle of vertices *as stored* the first stays.
 //!
 //! *Promises* no degenerate or non-simple face, no non-finite face (unless kept), no repeat as stored. *Requires*
-//! nothing. *May introduce* boundary edges, where a face went. *Cost*: O(n log n). *Source*: the
-//! multiple-incidence repairs of A. Bærentzen, *On the Topology of Polygonal Meshes*, 2025.
+//! nothing. *May introduce* boundary edges and what follows from them where a face went, and parts of faces that are
+//! another face again. *Cost*: O(n log n). *Source*: the multiple-incidence repairs of A. Bærentzen, *On the Topology
+//! of Polygonal Meshes*, 2025.
 
 use meshmend_core::{
     CornerId, Defect, DefectKind, Draft, FaceId, FaceTableBuilder, Id, PolygonMesh, Sources, VertexId,
@@ -64,7 +65,16 @@ impl Pass for Clean {
         &[]
     }
     fn may_introduce(&self) -> &'static [DefectKind] {
-        &[DefectKind::BoundaryEdge, DefectKind::UnreferencedVertex, DefectKind::InconsistentEdge]
+        &[
+            DefectKind::BoundaryEdge,
+            DefectKind::UnreferencedVertex,
+            DefectKind::InconsistentEdge,
+            DefectKind::PinchedVertex,
+            DefectKind::NonOrientablePatch,
+            // A part of a face may be another face, either way round.
+            DefectKind::DuplicateFace,
+            DefectKind::OppositeFace,
+        ]
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {

@@ -98,7 +98,15 @@ impl Pass for Orient {
         &[DefectKind::DegenerateFace, DefectKind::NonSimpleFace]
     }
     fn may_introduce(&self) -> &'static [DefectKind] {
-        &[DefectKind::BoundaryEdge, DefectKind::UnreferencedVertex, DefectKind::NonOrientablePatch]
+        &[
+            DefectKind::BoundaryEdge,
+            DefectKind::UnreferencedVertex,
+            DefectKind::NonOrientablePatch,
+            DefectKind::PinchedVertex,
+            // A face that is turned may run as another one does, or against it.
+            DefectKind::DuplicateFace,
+            DefectKind::OppositeFace,
+        ]
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {

@@ -8,7 +8,8 @@ use meshmend_topology::TopologyReport;
 
 use crate::figures::Figures;
 use crate::{
-    AnyPass, Context, History, Mended, NonOrientable, Outcome, PassError, PassKind, Seams, SplitEdges,
+    AnyPass, Context, History, Mended, NonOrientable, Orient, Outcome, PassError, PassKind, Seams, Side,
+    SplitEdges,
 };
 
 /// Passes in order, with their options.
@@ -83,18 +84,29 @@ pub struct PassRecord {
 impl Pipeline {
     /// A pipeline of these passes, in this order.
     ///
-    /// Where `orient` cuts non-orientable patches, a later `split` opens the seams.
+    /// Where `orient` cuts non-orientable patches, a later `split` opens the seams. Where it turns closed patches
+    /// outward, it runs once more after `split`, which may have closed patches that were open.
     pub fn new(passes: impl IntoIterator<Item = AnyPass>) -> Self {
-        let mut passes: Vec<AnyPass> = passes.into_iter().collect();
-        let mut cuts = false;
-        for pass in &mut passes {
-            match pass {
-                AnyPass::Orient(orient) => cuts |= orient.non_orientable == NonOrientable::Cut,
-                AnyPass::Split(split) if cuts => split.seams = Seams::Cut,
+        let mut oriented: Option<Orient> = None;
+        let mut all = Vec::new();
+        let mut given = passes.into_iter().peekable();
+        while let Some(mut pass) = given.next() {
+            match (&mut pass, &oriented) {
+                (AnyPass::Orient(orient), _) => oriented = Some(orient.clone()),
+                (AnyPass::Split(split), Some(orient)) if orient.non_orientable == NonOrientable::Cut => {
+                    split.seams = Seams::Cut;
+                }
                 _ => {}
             }
+            let is_split = pass.kind() == PassKind::Split;
+            let is_followed = given.peek().is_some_and(|next| next.kind() == PassKind::Orient);
+            all.push(pass);
+            if is_split && !is_followed {
+                let outward = oriented.clone().filter(|orient| orient.side != Side::Majority);
+                all.extend(outward.map(AnyPass::from));
+            }
         }
-        Pipeline { passes, kernel: KernelKind::default(), takes_figures: false }
+        Pipeline { passes: all, kernel: KernelKind::default(), takes_figures: false }
     }
 
     /// The pipeline computing on another kernel. The result is the same from every kernel that can hold the mesh.

@@ -7,8 +7,9 @@ use std::collections::BTreeSet;
 use meshmend_core::{Carry, Connectivity, CornerId, Domain, FaceId, Layer, PolygonMesh, Values, VertexId};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
-    Clean, Compact, Distance, Duplicates, LooseElements, NonFinite, NonOrientable, Orient, PassError,
-    PassKind, Pipeline, Plan, Repaired, Side, Split, SplitEdges, Triangulate, TriangulateFaces, Weld,
+    Clean, Compact, Context, Distance, Duplicates, LooseElements, NonFinite, NonOrientable, Orient, Pass,
+    PassError, PassKind, Pipeline, Plan, Repaired, Side, Split, SplitEdges, Triangulate, TriangulateFaces,
+    Weld,
 };
 use meshmend_testkit::{Soup, oracle, worlds};
 use proptest::prelude::*;
@@ -200,6 +201,19 @@ proptest! {
     }
 
     #[test]
+    fn no_closed_patch_is_left_inside_out(
+        soup in worlds::any_table(14),
+        non_orientable in prop_oneof![Just(NonOrientable::Report), Just(NonOrientable::Cut)],
+    ) {
+        let mut plan = Plan::default();
+        (plan.orient.side, plan.orient.non_orientable) = (Side::Outward, non_orientable);
+        let repaired = plan.pipeline().run(&numbered(&soup)).unwrap();
+        assert_clean(&repaired);
+        let again = plan.orient.apply(&repaired.mesh, &Context::default()).unwrap();
+        prop_assert!(again.provenance.is_same());
+    }
+
+    #[test]
     fn pinch_only_leaves_edges_and_splits_vertices(soup in worlds::generic_table(12)) {
         let mut plan = Plan::default();
         plan.split.edges = SplitEdges::PinchOnly;
@@ -284,6 +298,28 @@ fn outward_turns_closed_patches_alternating_if_asked_and_leaves_others_to_the_ma
     let nested = run(Side::OutwardNested);
     assert!(volume(&nested, 0..4) > 0.0 && volume(&nested, 4..8) < 0.0);
     assert_eq!(repaired.provenance.flipped.iter().filter(|f| f.0 >= 8).count(), 1);
+}
+
+/// Two boxes that share an edge, all faces inward: only when `split` has taken them apart is each of them closed.
+#[test]
+fn solids_that_touch_are_turned_outward_too() {
+    let mut boxes = meshmend_testkit::shapes::two_boxes_on_an_edge().soup;
+    boxes.faces.iter_mut().for_each(|face| face[1..].reverse());
+    let mut plan = Plan::default();
+    plan.orient.side = Side::Outward;
+    let faces = boxes.faces.len();
+    let [inward, outward] = [true, false].map(|is_reversed| {
+        let mut soup = boxes.clone();
+        if !is_reversed {
+            soup.faces.iter_mut().for_each(|face| face[1..].reverse());
+        }
+        plan.pipeline().run(&soup.mesh()).unwrap()
+    });
+    let flips = [inward.provenance.flipped.len(), outward.provenance.flipped.len()];
+    assert_eq!(flips.iter().sum::<usize>(), faces, "one of the two was outward before");
+    assert!(flips.contains(&0));
+    let again = plan.pipeline().run(&inward.mesh).unwrap();
+    assert_same_mesh(&again.mesh, &inward.mesh);
 }
 
 #[test]

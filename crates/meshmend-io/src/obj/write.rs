@@ -5,8 +5,8 @@ use std::io;
 use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values};
 
 use crate::layers::{
-    domain_name, has_fractions, is_numeric, layer_losses, layer_of, metadata_losses, number, one_line,
-    spelling_loss,
+    absent, domain_name, has_fractions, is_numeric, layer_losses, layer_of, metadata_losses, number,
+    one_line, spelling_loss,
 };
 use crate::obj::names::{KINDS, spelled};
 use crate::sink::Sink;
@@ -48,6 +48,11 @@ pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
         let count = color.element_count();
         let message = format!("colours of {count} vertices become fractions of 255");
         Loss::new(LossKind::Converted, count, message)
+    }));
+    losses.extend(plan.weight.and_then(|layer| {
+        Loss::if_any(LossKind::AbsentValue, absent(layer), |n| {
+            format!("that {n} vertices have no vertex attribute `weight`: they get 1")
+        })
     }));
     losses.extend([plan.texcoord, plan.normal].into_iter().flatten().filter_map(moved_to_corners));
     losses.extend(plan.names.iter().zip(&KINDS).filter_map(|(layer, kind)| {

@@ -162,6 +162,16 @@ fn comments_that_one_line_can_not_spell_are_named_as_losses() {
 }
 
 #[test]
+fn a_missing_weight_is_named_as_a_loss() {
+    let mesh = read(format!("{TRIANGLE}f 1 2 3\n")).mesh;
+    let uses = vec![0, meshmend_core::NO_VALUE, 0];
+    let layer = Layer::indexed("weight", Domain::Vertex, 1, Carry::Copy, Values::F64(vec![2.0]), uses);
+    let mesh = mesh.with_layers(vec![layer]).unwrap();
+    let losses = written(&mesh, Format::Obj, Encoding::Ascii).1;
+    assert_eq!(losses.iter().map(|l| (l.kind, l.count)).collect::<Vec<_>>(), [(LossKind::AbsentValue, 1)]);
+}
+
+#[test]
 fn values_that_no_corner_uses_are_named_as_losses() {
     let mesh = read(format!("{TRIANGLE}vn 0 0 1\nvn 0 1 0\n")).mesh;
     assert!(written(&mesh, Format::Obj, Encoding::Ascii).1.is_empty());
