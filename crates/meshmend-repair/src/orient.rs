@@ -95,7 +95,7 @@ impl Pass for Orient {
         &[DefectKind::InconsistentEdge]
     }
     fn requires(&self) -> &'static [DefectKind] {
-        &[DefectKind::DegenerateFace, DefectKind::NonSimpleFace]
+        &[DefectKind::DegenerateFace, DefectKind::NonSimpleFace, DefectKind::RepeatedCorner]
     }
     fn may_introduce(&self) -> &'static [DefectKind] {
         &[
@@ -250,19 +250,26 @@ impl Task<'_> {
         outcome.mended = mended.into();
         outcome.left = self.opposite_left(cycles, &found);
         if !found.non_orientable.is_empty() {
-            self.judge_non_orientable(&mut outcome)?;
+            let lowest = self.new_ids(&found, &found.non_orientable);
+            self.judge_non_orientable(&mut outcome, &lowest)?;
         }
         Ok(outcome)
     }
 
     /// What the policy makes of patches without a consistent side.
-    fn judge_non_orientable(&self, outcome: &mut Outcome) -> Result<(), PassError> {
+    ///
+    /// `lowest` is a face of each of them, for a mesh whose faces are not simple: there a strip may not be found.
+    fn judge_non_orientable(&self, outcome: &mut Outcome, lowest: &[FaceId]) -> Result<(), PassError> {
         if self.options.non_orientable == NonOrientable::Cut {
             return Ok(());
         }
         let history = self.context.history.map(|h| h.extended(&outcome.provenance, &outcome.mesh));
         let context = Context { history: history.as_ref(), ..*self.context };
-        let found = one_sided_patches(&outcome.mesh, &context)?;
+        let mut found = one_sided_patches(&outcome.mesh, &context)?;
+        if found.is_empty() {
+            let patch = |&face: &FaceId| Defect::NonOrientablePatch { faces: vec![face], edges: Vec::new() };
+            found = lowest.iter().map(patch).collect();
+        }
         if self.options.non_orientable == NonOrientable::Fail {
             return Err(PassError::Policy {
                 pass: "orient",
@@ -319,14 +326,25 @@ impl Task<'_> {
         Ok(Outcome::changed(self.mesh.rebuild(draft)?, Mended::default()))
     }
 
+    /// The new ids of some faces that stay.
+    fn new_ids(&self, found: &Found, faces: &[FaceId]) -> Vec<FaceId> {
+        let mut next = 0;
+        let ids: Vec<FaceId> = found
+            .is_alive
+            .values()
+            .iter()
+            .map(|&alive| {
+                next += u32::from(alive);
+                FaceId(next.max(1) - 1)
+            })
+            .collect();
+        faces.iter().map(|face| ids[face.index()]).collect()
+    }
+
     /// Opposite duplicates, by the new faces' ids.
     fn opposite_left(&self, cycles: &Cycles, found: &Found) -> Vec<Defect> {
-        let mut new_id = vec![FaceId(0); found.is_alive.len()];
-        let mut next = 0;
-        for (face, &alive) in found.is_alive.iter() {
-            new_id[face.index()] = FaceId(next);
-            next += u32::from(alive);
-        }
+        let all: Vec<FaceId> = found.is_alive.iter().map(|(face, _)| face).collect();
+        let new_id = self.new_ids(found, &all);
         let mut left = Vec::new();
         for group in cycles.groups() {
             let mut alive = group.iter().copied().filter(|&f| found.is_alive[f]);

@@ -70,7 +70,7 @@ pub enum PassError {
     #[error(transparent)]
     Refused(#[from] Refusal),
     /// A policy of the pass says that such a mesh is not to be repaired.
-    #[error("{pass}: the policy is `fail`, and there are {} {}: {}", defects.len(), kind.title(), defects[0])]
+    #[error("{pass}: the policy is `fail`, and there are {} {}: {}", defects.len(), kind.title(), Named(defects.first()))]
     Policy {
         /// The pass.
         pass: &'static str,
@@ -104,6 +104,15 @@ pub enum PassError {
     /// A pass described a mesh that can't be: a mistake of this program.
     #[error(transparent)]
     Draft(#[from] DraftError),
+}
+
+/// A defect in a message, if there is one.
+struct Named<'a>(Option<&'a Defect>);
+
+impl std::fmt::Display for Named<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.map_or(Ok(()), |defect| defect.fmt(f))
+    }
 }
 
 /// What a pass needs to know beside the mesh and its own options.

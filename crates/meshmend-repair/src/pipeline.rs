@@ -166,7 +166,9 @@ impl Pipeline {
             }
         }
         for kind in promised {
-            let is_twisted = report.non_orientable_patches > 0;
+            let is_named = |defect: &Defect| defect.kind() == DefectKind::NonOrientablePatch;
+            let is_twisted = report.non_orientable_patches > 0
+                || run.passes.iter().any(|record| record.left.iter().any(is_named));
             if kind == DefectKind::InconsistentEdge && is_twisted {
                 continue;
             }

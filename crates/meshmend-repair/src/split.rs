@@ -78,7 +78,12 @@ impl Pass for Split {
         }
     }
     fn requires(&self) -> &'static [DefectKind] {
-        &[DefectKind::DegenerateFace, DefectKind::NonSimpleFace, DefectKind::InconsistentEdge]
+        &[
+            DefectKind::DegenerateFace,
+            DefectKind::NonSimpleFace,
+            DefectKind::RepeatedCorner,
+            DefectKind::InconsistentEdge,
+        ]
     }
     fn may_introduce(&self) -> &'static [DefectKind] {
         &[DefectKind::BoundaryEdge, DefectKind::CoincidentVertex, DefectKind::InconsistentEdge]
