@@ -146,14 +146,8 @@ fn layer(u: &mut Unstructured<'_>, mesh: &PolygonMesh) -> Result<Layer> {
     let width = u.int_in_range(1..=4usize)?;
     let is_direct: bool = u.arbitrary()?;
     let pool = if is_direct { elements } else { u.int_in_range(0..=3usize)? };
-    // Words for colours are what a file had in place of numbers, not any text; lists of texture coordinates are those
-    // of a face's corners.
-    let last_kind = match name {
-        "color" => 7,
-        "texcoord" => 8,
-        _ => 9,
-    };
-    let kind = u.int_in_range(0..=last_kind)?;
+    // Words for colours are what a file had in place of numbers, not any text.
+    let kind = u.int_in_range(0..=9u8)?.min(if name == "color" { 7 } else { 9 });
     let values = values(u, kind, pool * width)?;
     if is_direct {
         return Ok(Layer::direct(name, domain, width, Carry::Copy, values));
