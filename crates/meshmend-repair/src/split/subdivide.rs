@@ -3,7 +3,7 @@
 //! Two different matched edges, or free uses, may come to join the same two new vertices, their umbrellas being
 //! connected elsewhere. By index they would be one edge again. Then every edge at that place is subdivided, each by a
 //! vertex of its own, all of them at the first point of 1/2, 1/3, 2/3, 1/4, … 63/64 between the lower and the higher
-//! vertex at which there is no vertex yet.
+//! vertex at which there is no vertex of a face yet.
 
 use std::collections::BTreeSet;
 
@@ -38,7 +38,9 @@ pub(super) fn subdivide<K: Connectivity>(
     if inserted.edges.is_empty() {
         return inserted;
     }
-    let mut occupied: BTreeSet<[u64; 3]> = names.positions.iter().map(|&p| key(p)).collect();
+    // A vertex in no face is no part of the result: compact removes it, and it must not decide where others go.
+    let parts = names.present.iter().zip(&names.positions).filter(|(v, _)| kernel.is_referenced(**v));
+    let mut occupied: BTreeSet<[u64; 3]> = parts.map(|(_, &position)| key(position)).collect();
     for edge in inserted.edges.clone() {
         let ends = kernel.edge_ends(edge).map(|v| mesh.position(v));
         let (position, ratio) = free_point(ends, &mut occupied);
