@@ -1,49 +1,11 @@
 //! What two meshes have in common, where numbers are the same when they are equal to the bit or both no number.
 
-use meshmend_core::{Domain, Layer, PolygonMesh, Values};
-
-/// A number by which it can be compared: all that are no number are one.
-pub(crate) fn number_key(x: f64) -> u64 {
-    if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
-}
+use meshmend_core::{Domain, Layer, PolygonMesh};
+use meshmend_testkit::laws::{layer_entries, number_key};
 
 /// The points of a mesh, comparable.
 pub(crate) fn position_keys(mesh: &PolygonMesh) -> Vec<[u64; 3]> {
     mesh.positions().iter().map(|point| point.map(number_key)).collect()
-}
-
-/// One entry of a layer's value, comparable.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Entry {
-    Number(u64),
-    Text(Vec<u8>),
-    List(Vec<Entry>),
-}
-
-fn entry(values: &Values, at: usize) -> Entry {
-    let number = |x: f64| Entry::Number(number_key(x));
-    match values {
-        Values::I8(v) => number(v[at].into()),
-        Values::U8(v) => number(v[at].into()),
-        Values::I16(v) => number(v[at].into()),
-        Values::U16(v) => number(v[at].into()),
-        Values::I32(v) => number(v[at].into()),
-        Values::U32(v) => number(v[at].into()),
-        Values::F32(v) => number(v[at].into()),
-        Values::F64(v) => number(v[at]),
-        Values::Text(v) => Entry::Text(v[at].clone()),
-        Values::Lists { starts, items } => {
-            Entry::List((starts[at]..starts[at + 1]).map(|item| entry(items, item as usize)).collect())
-        }
-    }
-}
-
-/// The value that each element has in a layer.
-pub(crate) fn layer_entries(layer: &Layer) -> Vec<Option<Vec<Entry>>> {
-    let width = layer.width();
-    let value =
-        |value: usize| (value * width..(value + 1) * width).map(|at| entry(layer.values(), at)).collect();
-    (0..layer.element_count()).map(|element| layer.value_of(element).map(value)).collect()
 }
 
 /// Whether two meshes have the same values under a name; elements without any value are the same as no layer.

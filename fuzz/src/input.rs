@@ -146,8 +146,14 @@ fn layer(u: &mut Unstructured<'_>, mesh: &PolygonMesh) -> Result<Layer> {
     let width = u.int_in_range(1..=4usize)?;
     let is_direct: bool = u.arbitrary()?;
     let pool = if is_direct { elements } else { u.int_in_range(0..=3usize)? };
-    // Words for colours are what a file had in place of numbers, not any text.
-    let kind = u.int_in_range(0..=9u8)?.min(if name == "color" { 7 } else { 9 });
+    let last_kind = match (name, domain) {
+        // Words for colours are what a file had in place of numbers, not any text.
+        ("color", _) => 7,
+        // A face's list of texture coordinates is by convention what its corners have.
+        ("texcoord", Domain::Face) => 8,
+        _ => 9,
+    };
+    let kind = u.int_in_range(0..=9u8)?.min(last_kind);
     let values = values(u, kind, pool * width)?;
     if is_direct {
         return Ok(Layer::direct(name, domain, width, Carry::Copy, values));

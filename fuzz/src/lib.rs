@@ -8,13 +8,16 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod arguments;
 mod compare;
 pub mod input;
 mod kernels;
 mod readers;
 mod repairs;
+mod room;
 mod round_trip;
 
+pub use arguments::arguments;
 pub use kernels::{analysis, kernels};
 pub use readers::{obj, off, ply, sniff, stl};
 pub use repairs::{passes, plan, repair};
@@ -36,4 +39,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off sniff round_trip kernels analysis repair passes plan);
+targets!(obj ply stl off sniff round_trip kernels analysis repair passes plan arguments);

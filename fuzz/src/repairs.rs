@@ -1,24 +1,23 @@
 //! Repairs: the default pipeline keeps its promises to the letter, and any other keeps those that it makes.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use arbitrary::{Arbitrary, Unstructured};
-use meshmend_core::{Carry, CornerId, DefectKind, Domain, FaceId, Layer, PolygonMesh, Values, VertexId};
+use meshmend_core::PolygonMesh;
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{AnyPass, Context, PassError, PassKind, Pipeline, Plan, Repaired, SplitEdges};
+use meshmend_testkit::laws::{Change, DefectCounts, Promise};
 use meshmend_testkit::{Soup, oracle, reference};
-use meshmend_topology::TopologyReport;
 
 use crate::compare::{assert_well_formed, position_keys};
 use crate::input::{SmallMesh, Work};
-use crate::kernels::Report;
 
 /// A small mesh through the default pipeline: its postconditions hold, its record is true, doing it again changes
 /// nothing, every kernel gives the same, and without `triangulate` it is what the reference gives, where doubles are
 /// exact.
 pub fn repair(data: &[u8]) {
     let Ok(SmallMesh(soup)) = SmallMesh::arbitrary(&mut Unstructured::new(data)) else { return };
-    let mesh = numbered(&soup);
+    let mesh = soup.numbered();
     let pipeline = Pipeline::default();
     let repaired = pipeline.run(&mesh).expect("the default pipeline takes any mesh");
     assert_clean(&repaired.mesh);
@@ -62,7 +61,7 @@ pub fn passes(data: &[u8]) {
     else {
         return;
     };
-    let mesh = numbered(&soup);
+    let mesh = soup.numbered();
     let pipeline = plan.pipeline();
     let result = pipeline.run(&mesh);
     assert_honest(&result);
@@ -87,7 +86,7 @@ pub fn plan(data: &[u8]) {
     let again = Plan::from_toml(&written).expect("a written plan can be read");
     assert_eq!(toml::to_string(&again).expect("a plan can be written"), written);
     plan.passes.truncate(16);
-    assert_honest(&plan.pipeline().run(&numbered(&troubled())));
+    assert_honest(&plan.pipeline().run(&troubled().numbered()));
 }
 
 /// Something of everything: a pinch, a book of three pages, faces there twice, coincident and infinite points.
@@ -106,20 +105,6 @@ fn troubled() -> Soup {
     let mut soup = Soup::generic(11, faces);
     (soup.positions[5], soup.positions[10]) = (soup.positions[0], [f64::INFINITY; 3]);
     soup
-}
-
-/// A mesh each of whose corners and faces carries its own number.
-fn numbered(soup: &Soup) -> PolygonMesh {
-    let mesh = soup.mesh();
-    let counts = mesh.counts();
-    let layer = |name, domain, count: usize| {
-        Layer::direct(name, domain, 1, Carry::Clear, Values::U32((0..count as u32).collect()))
-    };
-    let layers = vec![
-        layer("corner number", Domain::Corner, counts.corners),
-        layer("face number", Domain::Face, counts.faces),
-    ];
-    mesh.with_layers(layers).expect("the layers fit")
 }
 
 /// No error blames the program itself.
@@ -145,67 +130,19 @@ fn assert_clean(mesh: &PolygonMesh) {
     assert!(report.consistently_oriented || !report.orientable, "{report:?}");
 }
 
-/// Each new face and corner is the old one that the record says, and each old face is there or named as removed.
+/// The record is true, attributes follow it, and each old face is there or named as removed.
 fn assert_true_record(old: &PolygonMesh, repaired: &Repaired) {
-    let (new, record) = (&repaired.mesh, &repaired.provenance);
-    let number_of = |name, domain, element| {
-        let layer = new.layer(name, domain).expect("layers are carried");
-        layer.value_of(element).map(|value| value as u32)
-    };
-    let flipped: BTreeSet<FaceId> = record.flipped.iter().copied().collect();
-    for face in new.faces().faces() {
-        let source = record.faces.of(face).expect("no pass adds faces");
-        assert_eq!(number_of("face number", Domain::Face, face.0 as usize), Some(source.0));
-        let mut places = Vec::new();
-        for corner in new.faces().face_corners(face) {
-            let old_corner = record.corners.of(corner);
-            assert_eq!(
-                number_of("corner number", Domain::Corner, corner.0 as usize),
-                old_corner.map(|c| c.0)
-            );
-            assert!(
-                old_corner.is_none_or(|c| old.faces().corner_face(c) == source),
-                "{corner} is of another face"
-            );
-            places.extend(old_corner);
-        }
-        assert_runs_round(places, flipped.contains(&face));
-    }
-    let created: BTreeSet<VertexId> = record.created.iter().map(|(vertex, _)| *vertex).collect();
-    for (vertex, source) in record.vertices.iter() {
-        assert_eq!(source.is_none(), created.contains(&vertex), "{vertex}");
-    }
-    let survivors: BTreeSet<FaceId> = record.faces.iter().filter_map(|(_, source)| source).collect();
-    let removed: BTreeSet<FaceId> = repaired.removed_faces.iter().map(|removed| removed.face).collect();
-    assert!(survivors.is_disjoint(&removed), "a face is there and removed");
-    assert_eq!(survivors.len() + removed.len(), old.counts().faces, "a face went without a word");
-}
-
-/// Corners of a face, kept or reversed, ascend but for one step round the end.
-fn assert_runs_round(mut places: Vec<CornerId>, is_flipped: bool) {
-    if is_flipped {
-        places.reverse();
-    }
-    let descents = (0..places.len()).filter(|&i| places[i] >= places[(i + 1) % places.len()]).count();
-    assert!(descents <= 1, "{places:?}");
+    let change = Change { before: old, after: &repaired.mesh, record: &repaired.provenance };
+    assert_eq!(change.record_law(), Ok(()));
+    assert_eq!(change.attribute_law(), Ok(()));
+    let removed = repaired.removed_faces.iter().map(|removed| (removed.face, removed.reason));
+    assert_eq!(change.removal_law(removed), Ok(()));
 }
 
 /// No corner moved, and each vertex has its source's point to the bit.
 fn assert_corners_kept_their_points(old: &PolygonMesh, repaired: &Repaired) {
-    let (new, record) = (&repaired.mesh, &repaired.provenance);
-    for (corner, source) in record.corners.iter() {
-        let Some(source) = source else { continue };
-        let (here, there) = (new.faces().corner_vertex(corner), old.faces().corner_vertex(source));
-        assert_eq!(new.position(here), old.position(there), "{corner} moved");
-    }
-    for (vertex, source) in record.vertices.iter() {
-        let Some(source) = source else { continue };
-        assert_eq!(
-            new.position(vertex).map(f64::to_bits),
-            old.position(source).map(f64::to_bits),
-            "{vertex} moved"
-        );
-    }
+    let change = Change { before: old, after: &repaired.mesh, record: &repaired.provenance };
+    assert_eq!(change.place_law(|_, _| false).and(change.bit_law()), Ok(()));
 }
 
 /// Every kernel that can hold any mesh gives the same mesh, record and error.
@@ -245,24 +182,12 @@ fn assert_is_reference(repaired: &Repaired, wanted: &reference::Repaired) {
     assert_eq!(report.non_orientable_patches, wanted.non_orientable.len() as u64);
 }
 
-/// A pass alone, where what it requires is not there, removes what it says and introduces only what it says.
+/// A pass alone, where what it requires is there, removes what it says and introduces only what it says.
 fn assert_promises(pass: &AnyPass, mesh: &PolygonMesh) {
-    let Ok(outcome) = pass.as_pass().apply(mesh, &Context::default()) else { return };
-    let report = |mesh: &PolygonMesh| -> TopologyReport {
-        KernelKind::default().run(mesh.complex(), Report(mesh)).expect("the default kernel holds anything")
-    };
-    let (before, after) = (report(mesh), report(&outcome.mesh));
-    let counts = |kind: DefectKind| (before.defects.count(kind), after.defects.count(kind));
-    let promise = pass.as_pass();
-    if promise.requires().iter().any(|&kind| counts(kind).0 > 0) {
-        return;
-    }
-    for &kind in DefectKind::ALL {
-        let (old, new) = counts(kind);
-        let is_twisted = kind == DefectKind::InconsistentEdge && after.non_orientable_patches > 0;
-        let is_gone = new == 0 || is_twisted || !promise.removes().contains(&kind);
-        assert!(is_gone, "{} leaves {}", promise.name(), kind.code());
-        let may_be_new = new == 0 || old > 0 || promise.may_introduce().contains(&kind);
-        assert!(may_be_new, "{} introduces {}", promise.name(), kind.code());
-    }
+    let pass = pass.as_pass();
+    let Ok(outcome) = pass.apply(mesh, &Context::default()) else { return };
+    let promise =
+        Promise { removes: pass.removes(), requires: pass.requires(), may_introduce: pass.may_introduce() };
+    let [before, after] = [mesh, &outcome.mesh].map(DefectCounts::of);
+    assert_eq!(promise.law(&before, &after), Ok(()), "{}", pass.name());
 }

@@ -3,8 +3,9 @@
 use arbitrary::{Arbitrary, Unstructured};
 use meshmend_core::{Domain, Layer, PolygonMesh};
 use meshmend_io::{Encoding, Format, Loss, LossKind, WriteOptions, encode, losses};
+use meshmend_testkit::laws::{Entry, layer_entries, number_key};
 
-use crate::compare::{Entry, assert_well_formed, layer_entries, number_key, position_keys, same_layer};
+use crate::compare::{assert_well_formed, position_keys, same_layer};
 use crate::input::DressedMesh;
 use crate::readers::read_as;
 

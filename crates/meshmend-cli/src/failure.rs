@@ -6,9 +6,9 @@ use std::process::ExitCode;
 use meshmend::io::{Place, WriteErrorKind};
 use meshmend::{PassError, ReadError, WriteError};
 
-/// How a command ended. Of several pieces of work the worst counts: see [`Status::and`].
+/// How a command ended. Of several pieces of work the worst counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Status {
+pub enum Status {
     /// The work is done.
     Done = 0,
     /// A check found defects, or what `--fail-on` names.
@@ -103,10 +103,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_unreadable_file_outranks_defects() {
-        assert_eq!(Status::DefectsFound.and(Status::Unreadable), Status::Unreadable);
-        assert_eq!(Status::Unreadable.and(Status::DefectsFound), Status::Unreadable);
-        assert_eq!(Status::Done.and(Status::Done), Status::Done);
+    fn of_two_pieces_of_work_the_worse_counts() {
+        use Status::{DefectsFound, Done, Refused, Unreadable, Unwritable, Usage};
+        let worse_and_worse = [Done, DefectsFound, Refused, Unreadable, Unwritable, Usage];
+        for (rank, &worse) in worse_and_worse.iter().enumerate() {
+            for &better in &worse_and_worse[..=rank] {
+                assert_eq!((better.and(worse), worse.and(better)), (worse, worse));
+            }
+        }
+    }
+
+    #[test]
+    fn a_wish_that_cant_be_met_is_a_mistake_of_the_command_line() {
+        let failure = |kind| Failure::from(WriteError { file: "a.obj".into(), kind });
+        let unknown = failure(WriteErrorKind::UnknownFormat);
+        assert_eq!(unknown.status, Status::Usage);
+        assert!(unknown.message.starts_with("a.obj: the format is not known"), "{}", unknown.message);
+        let full = failure(WriteErrorKind::Io(std::io::ErrorKind::StorageFull.into()));
+        assert_eq!((full.status, full.message.as_str()), (Status::Unwritable, "a.obj: no storage space"));
+        let request = PassError::Request { pass: "weld", reason: "no distance".into() };
+        let request = Failure::of_pass("a.obj", &request);
+        assert_eq!((request.status, request.message.as_str()), (Status::Usage, "a.obj: weld: no distance"));
+        assert_eq!(Failure::of_pass("a.obj", &PassError::Cancelled).status, Status::Refused);
     }
 
     #[test]

@@ -316,10 +316,26 @@ mod tests {
     }
 
     #[test]
-    fn every_side_can_be_named() {
-        let sides = ["majority", "outward", "outward-nested"]
-            .map(|word| plan(&["--orient", word]).unwrap().orient.side);
+    fn every_word_has_its_policy() {
+        let with = |option, word| plan(&[option, word]).unwrap();
+        let sides = ["majority", "outward", "outward-nested"].map(|word| with("--orient", word).orient.side);
         assert_eq!(sides, [Side::Majority, Side::Outward, Side::OutwardNested]);
+        let infinite = ["drop", "keep", "fail"].map(|word| with("--non-finite", word).clean.non_finite);
+        assert_eq!(infinite, [NonFinite::Drop, NonFinite::Keep, NonFinite::Fail]);
+        let twisted =
+            ["report", "cut", "fail"].map(|word| with("--non-orientable", word).orient.non_orientable);
+        assert_eq!(twisted, [NonOrientable::Report, NonOrientable::Cut, NonOrientable::Fail]);
+        let doubled =
+            ["keep", "remove-pair", "keep-first"].map(|word| with("--duplicates", word).orient.duplicates);
+        assert_eq!(doubled, [Duplicates::Keep, Duplicates::RemovePair, Duplicates::KeepFirst]);
+        let edges = ["sheets", "cut", "pinch-only"].map(|word| with("--split", word).split.edges);
+        assert_eq!(edges, [SplitEdges::Sheets, SplitEdges::Cut, SplitEdges::PinchOnly]);
+        let faces = ["auto", "all"].map(|word| with("--triangulate", word).triangulate.faces);
+        assert_eq!(faces, [TriangulateFaces::Auto, TriangulateFaces::All]);
+        let loose = ["on", "keep-loose"].map(|word| with("--compact", word).compact);
+        assert_eq!(loose.each_ref().map(|c| c.loose_edges), [LooseElements::Remove, LooseElements::Keep]);
+        assert_eq!(loose.each_ref().map(|c| c.loose_points), [LooseElements::Remove, LooseElements::Keep]);
+        assert_eq!(with("--clean", "on").passes, PassKind::ALL);
     }
 
     #[test]

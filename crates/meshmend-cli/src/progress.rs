@@ -1,6 +1,5 @@
 //! A bar on a terminal for work that takes more than a second.
 
-use std::io::IsTerminal;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::{Builder, JoinHandle};
 use std::time::Duration;
@@ -12,7 +11,7 @@ use crate::render::printable;
 const PATIENCE: Duration = Duration::from_secs(1);
 const TICK: Duration = Duration::from_millis(100);
 
-/// How far a command is. Nothing is shown in the first second, nor unless standard error is a terminal.
+/// How far a command is. Nothing is shown in the first second, nor where nobody watches.
 pub(crate) struct Progress {
     bar: ProgressBar,
     watch: Option<Watch>,
@@ -25,14 +24,20 @@ struct Watch {
 }
 
 impl Progress {
-    /// The progress of work in so many steps.
-    pub(crate) fn in_steps(steps: usize) -> Self {
+    /// The progress of work in so many steps, for somebody who watches standard error.
+    pub(crate) fn shown(steps: usize) -> Self {
+        let mut progress = Progress::hidden(steps);
+        progress.watch = Watch::over(&progress.bar);
+        progress
+    }
+
+    /// The progress that nobody watches.
+    pub(crate) fn hidden(steps: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{spinner} {bar:24} {pos}/{len} {msg} {elapsed}") {
             bar.set_style(style);
         }
-        let watch = if std::io::stderr().is_terminal() { Watch::over(&bar) } else { None };
-        Progress { bar, watch }
+        Progress { bar, watch: None }
     }
 
     /// Begins the next step.

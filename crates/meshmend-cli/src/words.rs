@@ -1,6 +1,7 @@
 //! Words of the command line that stand for values of the library.
 
 use clap::ValueEnum;
+use meshmend::shapes::{GENERATORS, Generator};
 use meshmend::{DefectKind, Distance, Encoding, Format, KernelKind, View, WriteOptions};
 
 use crate::failure::Failure;
@@ -56,6 +57,14 @@ pub(crate) fn defect_kind(word: &str) -> Result<DefectKind, String> {
     DefectKind::from_code(word).ok_or_else(|| {
         let codes: Vec<&str> = DefectKind::ALL.iter().map(|kind| kind.code()).collect();
         format!("the kinds are {}", codes.join(", "))
+    })
+}
+
+/// Reads the name of a shape.
+pub(crate) fn shape(word: &str) -> Result<&'static Generator, String> {
+    Generator::from_name(word).ok_or_else(|| {
+        let names: Vec<&str> = GENERATORS.iter().map(|generator| generator.name).collect();
+        format!("the shapes are {}", names.join(", "))
     })
 }
 
@@ -155,6 +164,14 @@ mod tests {
         for wrong in ["", "%", "-1", "nan", "inf", "1e999", "Exact", "3 mm"] {
             assert!(welding(wrong).is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn an_unknown_word_is_answered_with_the_known_ones() {
+        assert!(kernel("edge").unwrap_err().starts_with("the kernels are "));
+        assert!(defect_kind("hole").unwrap_err().starts_with("the kinds are degenerate-face, "));
+        assert!(format("glb").unwrap_err().starts_with("the formats are obj, ply"));
+        assert_eq!((kernel("edge-use"), format("PLY")), (Ok(KernelKind::EdgeUse), Ok(Format::Ply)));
     }
 
     #[test]

@@ -165,3 +165,17 @@ fn names_and_notes_cant_take_hold_of_a_terminal() {
     let missing = meshmend(&["check", &folder.at("\u{1b}[2J.obj")]);
     assert!(missing.status == 3 && !missing.stderr.contains('\u{1b}'), "{}", missing.stderr);
 }
+
+#[test]
+fn the_heading_says_what_is_there_and_as_what_it_is_judged() {
+    let folder = Folder::new();
+    let file = folder.with("loose.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\np 3\n");
+    let heading = |options: &[&str]| meshmend(&[&["check", &file], options].concat()).succeeds().stdout;
+    assert!(heading(&[]).contains("3 vertices, 1 faces, 1 loose edges, 1 loose points\njudged as stored"));
+    assert!(
+        heading(&["--weld", "exact"]).contains("\njudged as welded: vertices at the same position are one\n")
+    );
+    assert!(heading(&["--weld", "0.25"]).contains("\njudged as welded: vertices within 0.25 are one\n"));
+    let part = "\njudged as welded: vertices within 0.01 of the bounding box's diagonal are one\n";
+    assert!(heading(&["--weld", "1%"]).contains(part));
+}

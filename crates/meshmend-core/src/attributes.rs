@@ -267,10 +267,9 @@ impl Layer {
 
     /// What a vertex uses: in a vertex layer its own value, in one that moved to the corners what it had before.
     pub(crate) fn vertex_use(&self, vertex: usize) -> u32 {
-        match (&self.vertex_uses, self.domain) {
-            (Some(uses), _) => uses.get(vertex).copied().unwrap_or(NO_VALUE),
-            (None, Domain::Vertex) => self.use_of(vertex),
-            (None, _) => NO_VALUE,
+        match &self.vertex_uses {
+            Some(uses) => uses.get(vertex).copied().unwrap_or(NO_VALUE),
+            None => self.use_of(vertex),
         }
     }
 
@@ -294,5 +293,59 @@ impl Layer {
                 if Arc::make_mut(&mut self.values).push_mean(&parts, self.width) { new } else { first }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A layer of each type whose first two values are the same to the bit, and the third is another.
+    fn twins() -> Vec<Layer> {
+        let lists = |items| Values::Lists { starts: vec![0, 2, 4, 6], items: Box::new(items) };
+        let pools = vec![
+            Values::I8(vec![-1, -1, 1]),
+            Values::U8(vec![1, 1, 2]),
+            Values::I16(vec![-1, -1, 1]),
+            Values::U16(vec![1, 1, 2]),
+            Values::I32(vec![-1, -1, 1]),
+            Values::U32(vec![1, 1, 2]),
+            Values::F32(vec![f32::NAN, f32::NAN, 0.0]),
+            Values::F32(vec![0.0, 0.0, -0.0]),
+            Values::F64(vec![f64::NAN, f64::NAN, 0.0]),
+            Values::F64(vec![0.0, 0.0, -0.0]),
+            Values::Text(vec![b"a".to_vec(), b"a".to_vec(), b"b".to_vec()]),
+            lists(Values::U8(vec![1, 2, 1, 2, 1, 3])),
+            Values::Lists { starts: vec![0, 1, 2, 4], items: Box::new(Values::U8(vec![1, 1, 1, 1])) },
+        ];
+        pools.into_iter().map(|pool| Layer::direct("twins", Domain::Vertex, 1, Carry::Copy, pool)).collect()
+    }
+
+    #[test]
+    fn values_are_the_same_when_their_bits_are() {
+        for layer in twins() {
+            assert!(layer.same_value(0, 1) && !layer.same_value(1, 2), "{:?}", layer.values());
+            assert!(!layer.same_value(0, NO_VALUE) && layer.same_value(NO_VALUE, NO_VALUE));
+            assert_eq!((layer.values().len(), layer.values().is_empty()), (3, false));
+        }
+        assert!(Values::Text(Vec::new()).is_empty());
+        let wide = Layer::direct("wide", Domain::Face, 2, Carry::Copy, Values::U8(vec![1, 2, 1, 2, 1, 3]));
+        assert!(wide.same_value(0, 1) && !wide.same_value(0, 2));
+    }
+
+    #[test]
+    fn what_a_created_element_uses_is_what_the_rule_says() {
+        let layer = |carry, values| Layer::direct("quality", Domain::Vertex, 1, carry, values);
+        let real = |carry| layer(carry, Values::F32(vec![1.0, 3.0]));
+        let middle = [(0, 0.5), (1, 0.5)];
+        assert_eq!(real(Carry::Clear).blended(&middle), NO_VALUE);
+        assert_eq!(real(Carry::Copy).blended(&middle), 0);
+        assert_eq!(real(Carry::Interpolate).blended(&[(1, 0.5), (1, 0.5)]), 1);
+        assert_eq!(real(Carry::Copy).blended(&[(0, 0.5), (NO_VALUE, 0.5)]), NO_VALUE);
+        let mut between = real(Carry::Interpolate);
+        assert_eq!(between.blended(&middle), 2);
+        assert_eq!(between.values(), &Values::F32(vec![1.0, 3.0, 2.0]));
+        // Whole numbers have nothing in between.
+        assert_eq!(layer(Carry::Interpolate, Values::U8(vec![1, 3])).blended(&middle), 0);
     }
 }

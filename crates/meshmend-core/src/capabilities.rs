@@ -117,7 +117,7 @@ pub fn admission(complex: &Complex, capabilities: &Capabilities) -> Vec<Defect> 
 /// The defect of a face of the complex that comes back to a vertex, naming the first vertex that recurs.
 fn non_simple_face(complex: &Complex, face: FaceId) -> Option<Defect> {
     let vertices = complex.faces().face_vertices(face);
-    if vertices.len() <= 3 || distinct_count(vertices) == vertices.len() {
+    if distinct_count(vertices) == vertices.len() {
         return None;
     }
     let mut places: Vec<_> = vertices.iter().copied().zip(0..).collect::<Vec<(_, u32)>>();
@@ -163,6 +163,27 @@ mod tests {
         assert_eq!(count(DefectKind::SingularVertex), 2);
         assert!(kinds.is_sorted());
         assert!(admission(&complex, &Capabilities::PERMISSIVE).is_empty());
+    }
+
+    #[test]
+    fn each_capability_answers_for_its_own_kinds() {
+        use DefectKind::*;
+        let complex = complex(&[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4], &[5, 6, 7, 8], &[5, 6, 2, 5, 7]]);
+        let all = Capabilities::PERMISSIVE;
+        let cases = [
+            (Capabilities { non_simple_faces: false, ..all }, vec![NonSimpleFace]),
+            (Capabilities { polygons: false, ..all }, vec![PolygonFace, PolygonFace]),
+            (Capabilities { non_manifold_edges: false, ..all }, vec![NonManifoldEdge]),
+            (Capabilities { mixed_orientation: false, ..all }, vec![InconsistentEdge]),
+            (Capabilities { non_manifold_vertices: false, ..all }, vec![PinchedVertex, SingularVertex]),
+        ];
+        for (capabilities, expected) in cases {
+            let mut kinds: Vec<_> = admission(&complex, &capabilities).iter().map(Defect::kind).collect();
+            if expected.contains(&SingularVertex) {
+                kinds.dedup();
+            }
+            assert_eq!(kinds, expected, "{capabilities:?}");
+        }
     }
 
     #[test]

@@ -97,3 +97,21 @@ impl<I: Id, T> IndexMut<I> for Column<I, T> {
         &mut self.values[id.index()]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::FaceId;
+
+    #[test]
+    fn a_column_has_a_value_for_each_element() {
+        let mut column: Column<FaceId, u8> = Column::default();
+        assert!(column.is_empty());
+        assert_eq!((column.push(7), column.push(8)), (FaceId(0), FaceId(1)));
+        column[FaceId(0)] += 1;
+        column.values_mut()[1] += 2;
+        assert_eq!(column.iter().collect::<Vec<_>>(), [(FaceId(0), &8), (FaceId(1), &10)]);
+        assert_eq!((column.len(), column.is_empty()), (2, false));
+        assert_eq!(column.into_vec(), [8, 10]);
+    }
+}

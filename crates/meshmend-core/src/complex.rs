@@ -124,7 +124,9 @@ fn normal_form(vertices: &[VertexId], kept: &mut Vec<usize>) {
             kept.push(place);
         }
     }
-    while kept.len() > 1 && kept.last().is_some_and(|&last| vertices[last] == vertices[kept[0]]) {
+    while let [first, .., last] = kept[..]
+        && vertices[first] == vertices[last]
+    {
         kept.pop();
     }
 }

@@ -144,6 +144,10 @@ pub trait Connectivity: Sized + Send + Sync {
 
 /// A kernel whose every edge has one side or two, so that a side has at most one opposite.
 pub trait ManifoldConnectivity: Connectivity {
-    /// The other side along the same edge; nothing on the boundary.
-    fn opposite(&self, corner: CornerId) -> Option<CornerId>;
+    /// The other side along the same edge; nothing on the boundary. It is [`across`](Connectivity::across), which
+    /// has nothing else to leave out here.
+    #[inline]
+    fn opposite(&self, corner: CornerId) -> Option<CornerId> {
+        self.across(corner)
+    }
 }

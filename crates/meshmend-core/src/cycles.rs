@@ -16,7 +16,7 @@ pub fn canonical_rotation<T: Ord>(cycle: &[T]) -> usize {
     let n = cycle.len();
     let at = |place: usize| if place < n { &cycle[place] } else { &cycle[place - n] };
     let (mut best, mut rival, mut matched) = (0, 1, 0);
-    while best < n && rival < n && matched < n {
+    while best < n && rival < n && matched != n {
         match at(best + matched).cmp(at(rival + matched)) {
             std::cmp::Ordering::Equal => {
                 matched += 1;

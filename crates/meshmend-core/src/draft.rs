@@ -343,11 +343,11 @@ mod tests {
 
     fn value(layer: &Layer, element: usize) -> Option<f64> {
         let at = layer.value_of(element)?;
-        match layer.values() {
-            Values::F64(values) => Some(values[at]),
-            Values::F32(values) => Some(f64::from(values[at])),
-            _ => None,
+        if let Values::F64(values) = layer.values() {
+            return Some(values[at]);
         }
+        let Values::F32(values) = layer.values() else { panic!("no layer of a square is of this type") };
+        Some(f64::from(values[at]))
     }
 
     #[test]
@@ -379,6 +379,42 @@ mod tests {
     }
 
     #[test]
+    fn a_vertex_inside_a_face_gets_the_mean_of_its_corners() {
+        let mesh = square();
+        let place = Blend::Inside { face: FaceId(1) };
+        let corners = [2, 1, 4, 1, 3, 4, 3, 2, 4].map(VertexId).to_vec();
+        let sources = [Some(3), Some(4), None, Some(4), Some(5), None, Some(5), Some(3), None];
+        let draft = Draft {
+            vertex_sources: Sources::listed((0..4).map(|v| Some(VertexId(v))).chain([None])),
+            created_vertices: vec![VertexDraft { position: [0.6, 0.6, 0.0], place }],
+            created_corners: [2, 5, 8].map(|c| (CornerId(c), place)).to_vec(),
+            ..Draft::of_faces(
+                &mesh,
+                FaceTable::triangles(5, corners).unwrap(),
+                Sources::listed([Some(FaceId(1)); 3]),
+                Sources::listed(sources.map(|c| c.map(CornerId))),
+            )
+        };
+        let (new, _) = mesh.rebuild(draft).unwrap();
+        let is_about = |found: Option<f64>, mean: f64| found.is_some_and(|x| (x - mean).abs() < 1e-9);
+        assert!([2, 5, 8].iter().all(|&c| is_about(value(&new.layers()[0], c), 4.0)));
+        assert!(is_about(value(&new.layers()[1], 4), 2.0));
+        assert_eq!([0, 1, 2].map(|f| new.layers()[2].value_of(f)), [Some(1); 3]);
+    }
+
+    #[test]
+    fn a_draft_that_changes_nothing_shares_all_layers() {
+        let mesh = square();
+        let same = Draft::of_faces(&mesh, mesh.faces().clone(), Sources::same(2), Sources::same(6));
+        let (same, record) = mesh.rebuild(same).unwrap();
+        assert!(record.is_same());
+        assert_eq!(same.layers(), mesh.layers());
+        for (new, old) in same.layers().iter().zip(mesh.layers()) {
+            assert!(new.is_direct() && std::ptr::eq(new.values(), old.values()), "{:?}", new.domain());
+        }
+    }
+
+    #[test]
     fn a_vertex_layer_moves_to_the_corners_and_comes_back() {
         let mesh = square();
         let joined = FaceTable::triangles(3, [0, 1, 2, 2, 1, 0].map(VertexId).to_vec()).unwrap();
@@ -401,6 +437,49 @@ mod tests {
         let layer = &parted.layers()[1];
         assert_eq!(layer.domain(), Domain::Vertex);
         assert_eq!((0..4).map(|v| value(layer, v)).collect::<Vec<_>>(), [0.0, 1.0, 2.0, 3.0].map(Some));
+    }
+
+    /// Vertices 0 and 3 of a square joined, a corner created between two that stay.
+    #[test]
+    fn a_created_corner_of_a_layer_that_moves_has_its_vertex_value() {
+        let mesh = square();
+        let place = Blend::Along { from: CornerId(1), to: CornerId(2), numerator: 1, denominator: 2 };
+        let mut builder = FaceTableBuilder::default();
+        builder.push_face([0, 1, 3, 2].map(VertexId));
+        builder.push_face([2, 1, 0].map(VertexId));
+        let corners = [Some(0), Some(1), None, Some(2), Some(3), Some(4), Some(5)];
+        let draft = Draft {
+            vertex_sources: Sources::listed([Some(0), Some(1), Some(2), None].map(|v| v.map(VertexId))),
+            created_vertices: vec![VertexDraft { position: [0.5, 0.5, 0.0], place }],
+            created_corners: vec![(CornerId(2), place)],
+            ..Draft::of_faces(
+                &mesh,
+                builder.build(4).unwrap(),
+                Sources::same(2),
+                Sources::listed(corners.map(|c| c.map(CornerId))),
+            )
+        };
+        let (new, _) = mesh.rebuild(draft).unwrap();
+        let layer = &new.layers()[1];
+        assert_eq!(layer.domain(), Domain::Corner);
+        let at_corners: Vec<_> = (0..7).map(|c| value(layer, c)).collect();
+        assert_eq!(at_corners, [0.0, 1.0, 1.5, 2.0, 2.0, 1.0, 3.0].map(Some));
+    }
+
+    #[test]
+    fn a_vertex_layer_stays_at_the_corners_while_some_of_a_vertex_differ() {
+        let mesh = square();
+        let joined = FaceTable::triangles(3, [0, 1, 2, 2, 1, 0].map(VertexId).to_vec()).unwrap();
+        let draft = Draft {
+            vertex_sources: Sources::same(3),
+            merged_into: Some([0, 1, 2, 0].map(VertexId).to_vec()),
+            ..Draft::of_faces(&mesh, joined, Sources::same(2), Sources::same(6))
+        };
+        let (joined, _) = mesh.rebuild(draft).unwrap();
+        let again = Draft::of_faces(&joined, joined.faces().clone(), Sources::same(2), Sources::same(6));
+        let (again, _) = joined.rebuild(again).unwrap();
+        assert_eq!(again.layers()[1], joined.layers()[1]);
+        assert_eq!(again.layers()[1].domain(), Domain::Corner);
     }
 
     #[test]

@@ -323,6 +323,28 @@ mod tests {
     }
 
     #[test]
+    fn triangles_are_counted_and_found_without_starts() {
+        let table = FaceTable::polygons(3, vec![0, 3, 6], ids(&[0, 1, 2, 2, 1, 0])).unwrap();
+        assert!(table.is_all_triangles());
+        let faces: Vec<FaceId> = table.corners().map(|c| table.corner_face(c)).collect();
+        assert_eq!(faces, [0, 0, 0, 1, 1, 1].map(FaceId));
+        let mut builder = FaceTableBuilder::default();
+        let counts = [3, 3, 4, 3].map(|size| {
+            builder.push_face((0..size).map(VertexId));
+            (builder.face_count(), builder.corner_count())
+        });
+        assert_eq!(counts, [(1, 3), (2, 6), (3, 10), (4, 13)]);
+    }
+
+    #[test]
+    fn bytes_are_those_of_corners_and_starts() {
+        let triangle = FaceTable::triangles(3, ids(&[0, 1, 2])).unwrap();
+        assert_eq!(triangle.heap_bytes(), 3 * 4);
+        let square = FaceTable::polygons(4, vec![0, 4], ids(&[0, 1, 2, 3])).unwrap();
+        assert_eq!(square.heap_bytes(), 4 * 4 + 2 * 4);
+    }
+
+    #[test]
     fn an_unknown_vertex_is_named_with_its_face() {
         let wrong = FaceTable::polygons(3, vec![0, 0, 3], ids(&[0, 1, 3]));
         assert_eq!(wrong, Err(FaceTableError::NoSuchVertex { face: 1, vertex: 3, vertex_count: 3 }));

@@ -237,6 +237,8 @@ mod tests {
         let wrong = triangle().with_loose(Vec::new(), vec![VertexId(3)]).unwrap_err();
         assert_eq!(wrong.to_string(), "loose point 0 names vertex 3, but there are 3 vertices");
         assert!(triangle().with_positions(Vec::new()).is_err());
+        let moved = triangle().with_positions(vec![[7.0; 3]; 3]).unwrap();
+        assert_eq!((moved.position(VertexId(2)), moved.faces()), ([7.0; 3], triangle().faces()));
     }
 
     #[test]

@@ -284,9 +284,10 @@ mod tests {
             created: Vec::new(),
         };
         let empty = FaceTable::empty(0);
-        let both = record(&[0, 2, 3], &[0, 2], 4).then(&record(&[1, 2], &[0, 1], 3), &empty, &empty);
-        assert_eq!(both.flipped, [FaceId(0)]);
-        assert_eq!(both.removed_faces(), [FaceId(0), FaceId(1)]);
+        let first = record(&[0, 2, 3, 4], &[0, 2], 5);
+        let both = first.then(&record(&[1, 2, 0], &[0, 1], 4), &empty, &empty);
+        assert_eq!(both.flipped, [FaceId(0), FaceId(2)]);
+        assert_eq!(both.removed_faces(), [FaceId(1), FaceId(4)]);
         assert_eq!(both.added_faces(), 0);
     }
 
@@ -295,6 +296,7 @@ mod tests {
         let prefix: Sources<FaceId> = Sources::listed([Some(FaceId(0)), Some(FaceId(1))]);
         assert!(prefix.is_same() && prefix.is_all_of(2) && !prefix.is_all_of(3));
         assert_eq!(prefix.survivors(3), [true, true, false]);
+        assert!(!prefix.is_empty() && Sources::<FaceId>::same(0).is_empty());
         let created: Sources<FaceId> = Sources::listed([None]);
         assert_eq!((created.len(), created.of(FaceId(0))), (1, None));
     }

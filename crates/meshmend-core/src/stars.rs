@@ -184,6 +184,25 @@ mod tests {
     }
 
     #[test]
+    fn umbrellas_are_counted_with_their_rim() {
+        // A fan, a cone and a book of three pages at one vertex each.
+        let kernel = kernel(&[[0, 1, 2], [0, 3, 4], [0, 4, 5], [0, 5, 3], [6, 7, 1], [6, 7, 2], [6, 7, 8]]);
+        let found = |v| umbrellas(&kernel, VertexId(v));
+        assert_eq!(found(0), Umbrellas { count: 2, boundary_edges: 2, singular: false });
+        assert_eq!(found(6), Umbrellas { count: 1, boundary_edges: 3, singular: true });
+        assert_eq!(found(8), Umbrellas { count: 1, boundary_edges: 2, singular: false });
+    }
+
+    #[test]
+    fn a_surface_has_discs_and_half_discs_alone() {
+        use VertexClass::*;
+        let pinched = [true, false].map(|boundary_only| Pinched { umbrellas: 2, boundary_only });
+        assert!(Disc.is_manifold() && HalfDisc.is_manifold());
+        assert!(!Unreferenced.is_manifold() && !Singular.is_manifold());
+        assert!(pinched.iter().all(|class| !class.is_manifold()));
+    }
+
+    #[test]
     fn the_way_that_faces_run_does_not_matter_to_vertices() {
         assert_eq!(class(&[[0, 1, 2], [0, 3, 2], [0, 3, 1]]), VertexClass::Disc);
     }

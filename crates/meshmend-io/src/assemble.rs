@@ -1,6 +1,6 @@
 //! What all readers do last: check every index once, and put the parts together.
 
-use meshmend_core::{FaceTableBuilder, FaceTableError, Layer, MeshError, Metadata, PolygonMesh, VertexId};
+use meshmend_core::{FaceTableBuilder, Layer, MeshError, Metadata, PolygonMesh, VertexId};
 
 use crate::note::Notes;
 use crate::read::Source;
@@ -75,7 +75,8 @@ impl Parts {
         if count == 0 {
             self.notes.add(NoteKind::Empty, "the file holds no vertex", || Place::File);
         }
-        let faces = self.faces.build(count).map_err(|error| table_error(source, &error))?;
+        // Readers keep to limits within which all of this fits a mesh.
+        let faces = self.faces.build(count).map_err(|e| source.malformed(Place::File, e.to_string()))?;
         let failed = |error: MeshError| source.malformed(Place::File, error.to_string());
         let mesh = PolygonMesh::new(self.positions, faces).map_err(failed)?;
         let mesh = mesh.with_loose(self.loose_edges, self.loose_points).map_err(failed)?;
@@ -87,17 +88,6 @@ impl Parts {
 /// The reason when a file names a vertex that it does not hold.
 pub(crate) fn no_such_vertex(number: i64, count: usize) -> String {
     format!("vertex {number} does not exist: the file has {count} vertices")
-}
-
-fn table_error(source: &Source<'_>, error: &FaceTableError) -> ReadError {
-    match *error {
-        FaceTableError::TooLarge { what, count } => {
-            let limit = Limits::default().max_corners;
-            let kind = crate::ReadErrorKind::LimitExceeded { what, found: count as u64, limit };
-            ReadError { file: source.name.to_owned(), place: Place::File, kind }
-        }
-        ref error => source.malformed(Place::File, error.to_string()),
-    }
 }
 
 /// A corner attribute that is named by index: which value each corner uses, none until one is named.

@@ -209,13 +209,15 @@ fn remove_debris(folder: &Path, stem: &OsStr) {
 }
 
 /// Whether a process may still be writing a file: it is listed, or, where processes are not listed, the file has
-/// changed within the hour.
+/// changed lately.
 fn may_run(process: u32, entry: &fs::DirEntry) -> bool {
-    const LONGEST_PAUSE: Duration = Duration::from_secs(3600);
     let list = Path::new("/proc");
-    if list.join("self").exists() {
-        return list.join(process.to_string()).exists();
-    }
+    if list.join("self").exists() { list.join(process.to_string()).exists() } else { changed_lately(entry) }
+}
+
+/// Whether a file has changed within the hour, or can't be asked.
+fn changed_lately(entry: &fs::DirEntry) -> bool {
+    const LONGEST_PAUSE: Duration = Duration::from_secs(3600);
     let age = entry.metadata().and_then(|status| status.modified()).map(|changed| changed.elapsed());
     !matches!(age, Ok(Ok(age)) if age > LONGEST_PAUSE)
 }
@@ -325,6 +327,27 @@ mod tests {
             vec![dead, other_target, "mesh.obj".to_owned()]
         };
         assert_eq!(folder.names(), expected);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_another_live_process_writes_is_left_alone() {
+        let folder = Folder::new("live");
+        let live = format!(".mesh.obj.{}-0{SUFFIX}", std::os::unix::process::parent_id());
+        fs::write(folder.0.join(&live), "being written").unwrap();
+        write(&folder.0.join("mesh.obj"), "new").unwrap();
+        assert_eq!(folder.names(), [live.as_str(), "mesh.obj"]);
+    }
+
+    #[test]
+    fn a_file_has_changed_lately_within_an_hour() {
+        let folder = Folder::new("lately");
+        let file = File::create(folder.0.join("mesh.obj")).unwrap();
+        let entry = fs::read_dir(&folder.0).unwrap().next().unwrap().unwrap();
+        for (minutes, is_lately) in [(0, true), (59, true), (61, false)] {
+            file.set_modified(std::time::SystemTime::now() - Duration::from_secs(60 * minutes)).unwrap();
+            assert_eq!(changed_lately(&entry), is_lately, "{minutes} minutes ago");
+        }
     }
 
     #[test]

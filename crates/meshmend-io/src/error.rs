@@ -91,16 +91,6 @@ pub enum WriteErrorKind {
         /// The encoding that was asked for.
         encoding: Encoding,
     },
-    /// The format's counts can't say how many there are.
-    #[error("{found} {what} are more than {format} can hold")]
-    TooMany {
-        /// The format.
-        format: Format,
-        /// What there is too much of.
-        what: &'static str,
-        /// How much of it there is.
-        found: u64,
-    },
     /// The system can't take the bytes.
     #[error("{0}")]
     Io(#[from] io::Error),
@@ -116,4 +106,64 @@ fn shown(place: &Place) -> String {
 fn known_formats() -> String {
     let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
     names.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use meshmend_core::{FaceTable, PolygonMesh};
+    use meshmend_testkit::assert_every_variant;
+
+    use super::*;
+    use crate::{Limits, ReadOptions, WriteOptions, encode, read, read_bytes, write};
+
+    fn unread(bytes: &[u8], options: ReadOptions) -> ReadErrorKind {
+        read_bytes(bytes, "mesh", &options).unwrap_err().kind
+    }
+
+    #[test]
+    fn every_reason_why_a_file_is_not_read_says_what_is_wrong() {
+        let unknown = format!("the format is not known; known are {}", known_formats());
+        let obj = ReadOptions { format: Some(Format::Obj), ..ReadOptions::default() };
+        let small = Limits { max_file_bytes: 7, ..Limits::default() };
+        let cases = vec![
+            (unread(b"hello", ReadOptions::default()), unknown.as_str()),
+            (read(Path::new("."), &obj).unwrap_err().kind, "is a directory"),
+            (unread(b"f 1\n", obj), "vertex 1 does not exist: the file has 0 vertices"),
+            (
+                unread(b"v 0 0 0\n", ReadOptions { limits: small, ..obj }),
+                "8 bytes are more than the limit of 7",
+            ),
+        ];
+        assert_every_variant!(cases, ReadErrorKind { UnknownFormat, Io, Malformed, LimitExceeded });
+    }
+
+    #[test]
+    fn every_reason_why_a_file_is_not_written_says_what_is_wrong() {
+        let unknown = format!("the format is not known; known are {}", known_formats());
+        let mesh = PolygonMesh::new(Vec::new(), FaceTable::empty(0)).unwrap();
+        let unwritten = |options| encode(&mesh, &options, &mut io::sink()).unwrap_err().kind;
+        let big = WriteOptions::of(Format::Obj).with_encoding(Encoding::BigEndian);
+        let cases = vec![
+            (unwritten(WriteOptions::default()), unknown.as_str()),
+            (unwritten(big), "OBJ has no encoding `big-endian`"),
+            (
+                write(Path::new("."), &mesh, &WriteOptions::of(Format::Off)).unwrap_err().kind,
+                "is a directory",
+            ),
+        ];
+        assert_every_variant!(cases, WriteErrorKind { UnknownFormat, NoSuchEncoding, Io });
+    }
+
+    #[test]
+    fn a_place_is_shown_between_file_and_reason() {
+        let shown = |place| {
+            ReadError { file: "mesh.ply".into(), place, kind: ReadErrorKind::UnknownFormat }.to_string()
+        };
+        assert!(shown(Place::File).starts_with("mesh.ply: the format"));
+        assert!(shown(Place::Line(4)).starts_with("mesh.ply: line 4: the format"));
+        assert!(shown(Place::Byte(9)).starts_with("mesh.ply: byte 9: the format"));
+        assert_eq!(Place::File.to_string(), "whole file");
+    }
 }

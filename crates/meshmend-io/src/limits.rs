@@ -44,3 +44,25 @@ impl Limits {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_mesh_holds_bounds_wider_limits_and_leaves_narrower_ones() {
+        let endless = Limits {
+            max_file_bytes: u64::MAX,
+            max_vertices: u64::MAX,
+            max_faces: u64::MAX,
+            max_corners: u64::MAX,
+            max_comments: usize::MAX,
+        };
+        let bounded = endless.within_a_mesh();
+        let of_a_mesh = [bounded.max_vertices, bounded.max_faces, bounded.max_corners];
+        assert_eq!(of_a_mesh, [(1 << 31) - 1; 3]);
+        assert_eq!((bounded.max_file_bytes, bounded.max_comments), (u64::MAX, usize::MAX));
+        let narrow = Limits { max_vertices: 1, max_faces: 2, max_corners: 3, ..endless };
+        assert_eq!(narrow.within_a_mesh(), narrow);
+    }
+}

@@ -65,3 +65,16 @@ impl fmt::Display for Loss {
         f.write_str(&self.message)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_loss_of_nothing_is_none_and_any_other_says_what_is_lost() {
+        let loss = |count| Loss::if_any(LossKind::LooseEdges, count, |n| format!("{n} loose edges"));
+        assert_eq!(loss(0), None);
+        let one = loss(1).unwrap();
+        assert_eq!((one.count, one.to_string()), (1, "1 loose edges".to_owned()));
+    }
+}

@@ -106,3 +106,38 @@ impl Notes {
         self.found.into_iter().map(note).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_note_says_how_often_and_where_first() {
+        let shown = |count, first| {
+            Note { kind: NoteKind::NonFinite, count, first, message: "odd".to_owned() }.to_string()
+        };
+        assert_eq!(shown(1, Place::File), "odd");
+        assert_eq!(shown(1, Place::Line(4)), "odd, at line 4");
+        assert_eq!(shown(2, Place::File), "odd (2 times)");
+        assert_eq!(shown(2, Place::Byte(9)), "odd (2 times), first at byte 9");
+    }
+
+    #[test]
+    fn equal_notes_are_counted_and_messages_beyond_the_most_are_counted_together() {
+        let mut notes = Notes::default();
+        notes.add_many(NoteKind::Empty, "none", 0, || Place::File);
+        for line in 1..=20 {
+            notes.add(NoteKind::SkippedStatement, &format!("statement {line:02}"), || Place::Line(line));
+            notes.add_many(NoteKind::SurplusColumns, "columns", 3, || Place::Line(line));
+        }
+        let list = notes.into_list();
+        let of = |kind| list.iter().filter(|note| note.kind == kind).collect::<Vec<_>>();
+        let statements = of(NoteKind::SkippedStatement);
+        assert_eq!(statements.len(), MOST_MESSAGES + 1);
+        let further = statements.iter().find(|note| note.message == "further ones of this kind").unwrap();
+        assert_eq!((further.count, further.first), (4, Place::Line(17)));
+        assert_eq!(of(NoteKind::SurplusColumns)[0].count, 60);
+        assert_eq!(of(NoteKind::SurplusColumns)[0].first, Place::Line(1));
+        assert!(of(NoteKind::Empty).is_empty());
+    }
+}

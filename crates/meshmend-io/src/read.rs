@@ -177,6 +177,20 @@ mod tests {
     }
 
     #[test]
+    fn a_limit_is_the_most_that_is_taken_whatever_is_announced() {
+        let content: &[u8] = b"12345";
+        for announced in 0..=5 {
+            assert_eq!(take_in(content, announced, 5).unwrap(), content);
+        }
+        for (announced, expected) in [(0, 5), (4, 5), (6, 6)] {
+            match take_in(content, announced, 4) {
+                Err(ReadErrorKind::LimitExceeded { found, limit: 4, .. }) => assert_eq!(found, expected),
+                other => panic!("{announced} announced: {other:?}"),
+            }
+        }
+    }
+
+    #[test]
     fn what_is_announced_beyond_all_memory_is_an_error() {
         let taken = take_in(io::empty(), u64::MAX, u64::MAX);
         assert!(matches!(taken, Err(ReadErrorKind::Io(error)) if error.kind() == io::ErrorKind::OutOfMemory));

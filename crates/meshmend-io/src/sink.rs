@@ -135,6 +135,43 @@ mod tests {
     }
 
     #[test]
+    fn single_numbers_are_as_short_as_their_type_allows() {
+        let mut out = Vec::new();
+        let mut sink = Sink::new(&mut out);
+        for value in [0.1, 1.0, -0.0, 1.5e-9, f32::INFINITY, f32::NAN] {
+            sink.single(value);
+            sink.byte(b' ');
+        }
+        sink.finish().unwrap();
+        assert_eq!(String::from_utf8(out).unwrap(), "0.1 1 -0 1.5e-9 inf nan ");
+    }
+
+    /// Keeps the sizes of the pieces that it is given.
+    struct Pieces(Vec<usize>);
+
+    impl Write for Pieces {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.0.push(bytes.len());
+            Ok(bytes.len())
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn bytes_are_passed_on_in_large_pieces() {
+        let mut pieces = Pieces(Vec::new());
+        let mut sink = Sink::new(&mut pieces);
+        for _ in 0..5 * PIECE / 2 {
+            sink.byte(b'x');
+            sink.checkpoint().unwrap();
+        }
+        sink.finish().unwrap();
+        assert_eq!(pieces.0, [65_536, 65_536, 32_768]);
+    }
+
+    #[test]
     fn everything_arrives_and_errors_come_back() {
         let mut out = Vec::new();
         let mut sink = Sink::new(&mut out);

@@ -177,6 +177,7 @@ mod tests {
             assert_eq!(length, text.len());
         }
         assert_eq!(real::<f32>(b"-1.#INF"), Some((f32::NEG_INFINITY, 7)));
+        assert_eq!(real::<f32>(b"+1.#inf"), Some((f32::INFINITY, 7)));
         assert_eq!(real::<f64>(b"-inf"), Some((f64::NEG_INFINITY, 4)));
     }
 
@@ -191,7 +192,15 @@ mod tests {
         assert_eq!(digits(b"18446744073709551617/"), Some((u64::MAX, 20)));
         assert_eq!(integer(b"-9223372036854775808"), Some((-i64::MAX, 20)));
         assert_eq!(integer(b"-12 "), Some((-12, 3)));
+        assert_eq!(integer(b"+12 "), Some((12, 3)));
         assert_eq!(integer(b"-"), None);
+    }
+
+    #[test]
+    fn long_and_unprintable_words_are_shown_short_and_printable() {
+        assert_eq!(shown(b"a\x07b"), "a\u{fffd}b");
+        assert_eq!(shown(&[b'x'; 40]), "x".repeat(40));
+        assert_eq!(shown(&[b'x'; 41]), "x".repeat(40) + "…");
     }
 
     #[test]

@@ -173,7 +173,7 @@ impl Connectivity for HalfEdge {
 
     #[inline]
     fn across(&self, corner: CornerId) -> Option<CornerId> {
-        self.opposite(corner)
+        Some(self.halves[corner].twin).filter(|&twin| !self.is_outside(twin))
     }
 
     fn heap_bytes(&self) -> usize {
@@ -184,12 +184,7 @@ impl Connectivity for HalfEdge {
     }
 }
 
-impl ManifoldConnectivity for HalfEdge {
-    #[inline]
-    fn opposite(&self, corner: CornerId) -> Option<CornerId> {
-        Some(self.halves[corner].twin).filter(|&twin| !self.is_outside(twin))
-    }
-}
+impl ManifoldConnectivity for HalfEdge {}
 
 /// The half-edges of the faces, still without twins, and the first one of each face.
 fn halves_of_faces(faces: &FaceTable, edges: &EdgeTable) -> (Column<Half, Record>, Column<FaceId, Half>) {
@@ -217,15 +212,12 @@ fn halves_of_faces(faces: &FaceTable, edges: &EdgeTable) -> (Column<Half, Record
 fn pair_twins(halves: &mut Column<Half, Record>, edges: &EdgeTable) -> Column<EdgeId, Half> {
     let mut edge_half = Vec::with_capacity(edges.edge_count());
     for edge in edges.edges() {
-        let (one, other) = match *edges.edge_corners(edge) {
-            [one] => {
-                let origin = halves[halves[one].next].origin;
-                let outside = Record { next: NO_HALF, prev: NO_HALF, twin: one, origin, face: NO_FACE, edge };
-                (one, halves.push(outside))
-            }
-            [one, other, ..] => (one, other),
-            [] => continue,
-        };
+        let sides = edges.edge_corners(edge);
+        let one = sides[0];
+        let other = sides.get(1).copied().unwrap_or_else(|| {
+            let origin = halves[halves[one].next].origin;
+            halves.push(Record { next: NO_HALF, prev: NO_HALF, twin: one, origin, face: NO_FACE, edge })
+        });
         halves[one].twin = other;
         halves[other].twin = one;
         edge_half.push(one);
@@ -267,10 +259,10 @@ mod tests {
     use std::sync::Arc;
 
     use meshmend_core::{FaceTableBuilder, Refusal};
+    use meshmend_testkit::worlds::damaged_grid;
     use proptest::prelude::*;
 
     use super::*;
-    use crate::laws::damaged_grid;
 
     fn build(vertices: usize, faces: &[&[u32]]) -> Result<HalfEdge, Refusal> {
         let mut builder = FaceTableBuilder::default();
@@ -315,8 +307,8 @@ mod tests {
     }
     proptest! {
         #[test]
-        fn records_agree_with_one_another_along_the_boundary_too(faces in damaged_grid()) {
-            if let Ok(kernel) = HalfEdge::build(&Complex::of(&Arc::new(faces))) {
+        fn records_agree_with_one_another_along_the_boundary_too(soup in damaged_grid()) {
+            if let Ok(kernel) = HalfEdge::build(&soup.complex()) {
                 kernel.halves.iter().for_each(|(half, record)| assert_agrees(&kernel, half, record));
             }
         }

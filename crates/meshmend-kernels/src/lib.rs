@@ -35,8 +35,6 @@
 mod adjacency_lists;
 mod face_vertex;
 mod half_edge;
-#[cfg(test)]
-mod laws;
 mod lists;
 mod quad_edge;
 mod registry;

@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     /// What the source folder holds beside one file for each kernel.
-    const NO_KERNELS: [&str; 4] = ["lib", "registry", "lists", "laws"];
+    const NO_KERNELS: [&str; 3] = ["lib", "registry", "lists"];
 
     #[test]
     fn every_kernel_file_is_registered() {

@@ -176,12 +176,13 @@ impl Pieces {
 
     /// Marks the pieces to keep: of those with the same directed cycle of vertices as stored, the first.
     fn drop_repeats(&mut self, mesh: &PolygonMesh, context: &Context<'_>) {
-        let stored = |corner: CornerId| match context.history {
-            None => mesh.faces().corner_vertex(corner),
-            Some(history) => match history.provenance().corners.of(corner) {
+        let stored = |corner: CornerId| {
+            let present = mesh.faces().corner_vertex(corner);
+            let Some(history) = context.history else { return present };
+            match history.provenance().corners.of(corner) {
                 Some(old) => history.stored().faces().corner_vertex(old),
-                None => mesh.faces().corner_vertex(corner),
-            },
+                None => VertexId::new(history.stored().counts().vertices + present.index()),
+            }
         };
         let count = self.face.len();
         self.is_kept = vec![true; count];
@@ -244,4 +245,28 @@ fn equal_to_an_earlier_one<'a>(
         found.extend(run[1..].iter().map(|&later| (run[0], later)));
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use meshmend_testkit::Soup;
+
+    use crate::{PassKind, Plan, TriangulateFaces};
+
+    /// A vertex that triangulating created has the number of a vertex as stored that welding had joined to another.
+    #[test]
+    fn a_created_vertex_is_no_stored_one() {
+        let square = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[x, y]| [f64::from(x), f64::from(y), 0.0]);
+        let soup = Soup {
+            // Vertex 4 is where vertex 2 is.
+            positions: [&square[..], &square[2..3]].concat(),
+            // No diagonal of the squares is free, so that the first gets vertex 4 of the welded mesh inside it.
+            faces: vec![vec![0, 1, 2, 3], vec![0, 2, 1, 3], vec![0, 1, 3, 2], vec![0, 1, 4]],
+        };
+        let mut plan =
+            Plan { passes: vec![PassKind::Weld, PassKind::Triangulate, PassKind::Clean], ..Plan::default() };
+        plan.triangulate.faces = TriangulateFaces::All;
+        let repaired = plan.pipeline().run(&soup.mesh()).unwrap();
+        assert_eq!(repaired.mesh.counts().faces, 3 * 4 + 1);
+    }
 }

@@ -11,6 +11,8 @@
 
 mod clean;
 mod compact;
+mod cut;
+mod edge_lengths;
 mod figures;
 mod matching;
 mod mended;
@@ -31,6 +33,10 @@ mod words;
 
 pub use clean::{Clean, NonFinite};
 pub use compact::{Compact, LooseElements};
+pub use cut::{
+    CutAlong, CutError, CutOpen, CutSeam, Discs, Piece, SquareCut, cut_open, cut_to_discs, cut_to_square,
+};
+pub use edge_lengths::edge_lengths;
 pub use figures::Figures;
 pub use mended::Mended;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};
@@ -39,7 +45,7 @@ pub use pipeline::{PassRecord, Pipeline, RemovedFace, Repaired};
 pub use plan::{Plan, PlanError};
 pub use recompute::Recompute;
 pub use registry::{AnyPass, PassKind};
-pub use split::{Seams, Split, SplitEdges};
+pub use split::{SeamFigures, Seams, Split, SplitEdges};
 pub use triangulate::{Triangulate, TriangulateFaces};
 pub use weld::{Distance, Weld, coincident_vertices};
 

@@ -29,6 +29,7 @@ use crate::{Context, Mended, Outcome, Pass, PassError, Seams, Split, SplitEdges,
 mod cycles;
 mod nesting;
 mod patches;
+mod seams;
 mod uses;
 
 use cycles::{Cycles, least_other};
@@ -68,7 +69,7 @@ pub enum NonOrientable {
     /// Leave it as it is and name it, with a witness.
     #[default]
     Report,
-    /// Choose sides all the same; `split` opens the seam along which they clash.
+    /// Choose sides all the same, so that they clash along few edges; `split` opens that seam.
     Cut,
     /// Give up.
     Fail,
@@ -187,18 +188,23 @@ impl Task<'_> {
         };
         let mut live = LiveUses::new(kernel, names, &start.0);
         let mut patches = Patches::new(kernel, self.mesh, cycles, (sides, contradiction), start);
+        let mut pairs = live.new_pairs(kernel, &patches.is_alive);
+        if contradiction == Contradiction::Cuts {
+            pairs = seams::seams_last(kernel, names, pairs);
+        }
         loop {
-            patches.merge(&live.new_pairs(kernel, &patches.is_alive));
+            patches.merge(&pairs);
             let gone = patches.drop_duplicates();
             if gone.is_empty() {
                 break;
             }
             self.context.check_cancelled()?;
             gone.into_iter().for_each(|face| live.remove_face(kernel, face));
+            pairs = live.new_pairs(kernel, &patches.is_alive);
         }
         if self.options.side == Side::OutwardNested {
             let closed = patches.closed();
-            let hollows = nesting::are_hollows(kernel, self.mesh, &closed);
+            let hollows = nesting::are_hollows(kernel, self.mesh, &closed, &patches.is_flipped);
             closed
                 .iter()
                 .zip(hollows)

@@ -10,7 +10,7 @@ use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;
 use thiserror::Error;
 
-use crate::Mended;
+use crate::{Mended, SeamFigures};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
 pub trait Pass {
@@ -43,12 +43,14 @@ pub struct Outcome {
     pub left: Vec<Defect>,
     /// The topology of the mesh after, where the pass looked at all of it.
     pub report: Option<Box<TopologyReport>>,
+    /// What cutting non-orientable patches open took, where the pass did.
+    pub seam: Option<SeamFigures>,
 }
 
 impl Outcome {
     /// The outcome of a pass that made a new mesh.
     pub(crate) fn changed((mesh, provenance): (PolygonMesh, Provenance), mended: Mended) -> Self {
-        Outcome { mesh, provenance, mended, left: Vec::new(), report: None }
+        Outcome { mesh, provenance, mended, left: Vec::new(), report: None, seam: None }
     }
 
     /// The outcome of a pass that had nothing to do. *Cost*: O(1).
@@ -59,6 +61,7 @@ impl Outcome {
             mended: Mended::default(),
             left: Vec::new(),
             report: None,
+            seam: None,
         }
     }
 }

@@ -8,8 +8,8 @@ use meshmend_topology::TopologyReport;
 
 use crate::figures::Figures;
 use crate::{
-    AnyPass, Context, History, Mended, NonOrientable, Orient, Outcome, PassError, PassKind, Seams, Side,
-    SplitEdges,
+    AnyPass, Context, History, Mended, NonOrientable, Orient, Outcome, PassError, PassKind, SeamFigures,
+    Seams, Side,
 };
 
 /// Passes in order, with their options.
@@ -79,6 +79,8 @@ pub struct PassRecord {
     pub left: Vec<Defect>,
     /// χ, components and boundary loops before and after, if asked for.
     pub figures: Option<[Figures; 2]>,
+    /// What cutting non-orientable patches open took, where it did.
+    pub seam: Option<SeamFigures>,
 }
 
 impl Pipeline {
@@ -160,8 +162,9 @@ impl Pipeline {
         let mut promised: Vec<DefectKind> = Vec::new();
         for pass in &self.passes {
             let pass = pass.as_pass();
+            let is_bound = pass.requires().iter().all(|kind| promised.contains(kind));
             promised.retain(|kind| !pass.may_introduce().contains(kind));
-            if pass.requires().iter().all(|kind| promised.contains(kind)) {
+            if is_bound {
                 promised.extend(pass.removes());
             }
         }
@@ -177,11 +180,6 @@ impl Pipeline {
             }
         }
         Ok(())
-    }
-
-    /// Whether the result is manifold whatever the input: whether it splits edges, or leaves them alone.
-    pub fn makes_manifold(&self) -> bool {
-        self.passes.iter().any(|pass| matches!(pass, AnyPass::Split(s) if s.edges != SplitEdges::PinchOnly))
     }
 }
 
@@ -225,6 +223,7 @@ impl Run {
             mended: outcome.mended,
             left: outcome.left,
             figures,
+            seam: outcome.seam,
         });
     }
 
@@ -266,5 +265,76 @@ fn removed_face(defect: &Defect) -> Option<FaceId> {
         | Defect::DuplicateFace { face, .. }
         | Defect::OppositeFace { face, .. } => Some(face),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use meshmend_core::{Connectivity, Draft, EdgeUse, FaceTable, MAX_CORNERS, Sources};
+    use meshmend_testkit::{Soup, assert_every_variant, shapes};
+    use meshmend_topology::topology;
+
+    use super::*;
+    use crate::{Distance, NonFinite, Plan};
+
+    fn failure(pipeline: &Pipeline, soup: &Soup) -> PassError {
+        pipeline.run(&soup.mesh()).unwrap_err()
+    }
+
+    /// The failure of a pipeline whose passes left everything as it was.
+    fn promise_of_the_lazy(soup: &Soup) -> Option<PassError> {
+        let mesh = soup.mesh();
+        let mut run = Run::begin(&mesh, false);
+        run.report = Some(Box::new(topology(&EdgeUse::assemble(mesh.complex()), &mesh)));
+        Pipeline::default().check_promises(&run).err()
+    }
+
+    #[test]
+    fn every_failure_says_which_pass_and_why() {
+        let plan = |change: fn(&mut Plan)| {
+            let mut plan = Plan::default();
+            change(&mut plan);
+            plan.pipeline()
+        };
+        let strict = Pipeline::default().on_kernel(KernelKind::HalfEdge);
+        let no_distance = plan(|plan| plan.weld.distance = Distance::Absolute(-1.0));
+        let no_infinity = plan(|plan| plan.clean.non_finite = NonFinite::Fail);
+        let no_band = plan(|plan| plan.orient.non_orientable = NonOrientable::Fail);
+        let triangle = Soup::generic(3, [[0, 1, 2]]);
+        let mut infinite = triangle.clone();
+        infinite.positions[2] = [f64::INFINITY; 3];
+        let (mesh, stop) = (triangle.mesh(), AtomicBool::new(true));
+        let wrong = Draft::of_faces(&mesh, mesh.faces().clone(), Sources::same(1), Sources::same(2));
+        let cases = vec![
+            (
+                failure(&strict, &shapes::two_tetrahedra_on_a_vertex().soup),
+                "the half-edge kernel can't hold this mesh: 1 pinched vertices (v0 joins 2 umbrellas)",
+            ),
+            (
+                failure(&no_infinity, &infinite),
+                "clean: the policy is `fail`, and there are 1 faces with non-finite corners: \
+                 f0 uses v2, which is not finite",
+            ),
+            (
+                failure(&no_band, &shapes::moebius_band(6, 1, shapes::Tiles::Quads).soup),
+                "orient: the policy is `fail`, and there are 1 non-orientable patches: \
+                 a strip of 6 faces from f0 comes back reversed",
+            ),
+            (failure(&no_distance, &triangle), "weld: a tolerance of -1 is no distance"),
+            (Pipeline::default().run_watched(&mesh, Some(&stop), |_| {}).unwrap_err(), "cancelled"),
+            (
+                promise_of_the_lazy(&shapes::book(3).soup).unwrap(),
+                "the pipeline broke its promise, which is a mistake of this program: e0 v0-v1 has 3 sides",
+            ),
+            (
+                FaceTable::triangles(MAX_CORNERS, Vec::new()).unwrap_err().into(),
+                "2147483648 vertices are more than the 2147483648 that a table holds",
+            ),
+            (mesh.rebuild(wrong).unwrap_err().into(), "a draft has 2 corner sources, but 3 are needed"),
+        ];
+        assert_every_variant!(
+            cases,
+            PassError { Refused, Policy, Request, Cancelled, Promise, Table, Draft }
+        );
     }
 }

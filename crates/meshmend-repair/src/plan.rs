@@ -113,3 +113,18 @@ impl Plan {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_plan_is_named_with_its_line() {
+        let failure = |text| Plan::from_toml(text).unwrap_err().to_string();
+        let unknown = failure("passes = [\"weld\"]\n[weld]\ndistnace = \"exact\"");
+        assert!(unknown.contains("line 3") && unknown.contains("unknown field `distnace`"), "{unknown}");
+        let pass = failure("passes = [\"weld\", \"mend\"]");
+        assert!(pass.contains("line 1") && pass.contains("unknown variant `mend`"), "{pass}");
+        assert!(failure("passes = [").contains("line 1"));
+    }
+}

@@ -100,3 +100,21 @@ impl fmt::Display for PassKind {
         f.write_str(self.name())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pass_has_one_name_everywhere() {
+        for &kind in PassKind::ALL {
+            let pass = kind.with_defaults();
+            assert_eq!((pass.kind(), pass.as_pass().name()), (kind, kind.name()));
+            assert_eq!(
+                (PassKind::from_name(kind.name()), kind.to_string().as_str()),
+                (Some(kind), kind.name())
+            );
+        }
+        assert_eq!(PassKind::from_name("mend"), None);
+    }
+}

@@ -12,7 +12,8 @@
 //!
 //! *Promises* no non-manifold edge and no non-manifold vertex (with `pinch-only`: no pinched vertex among edges of
 //! degree one and two). *Requires* simple, consistently oriented faces for its sheets to be meaningful; works on
-//! any. *May introduce* boundary edges. *Cost*: O(n log d) for edges of degree d. *Source*: A. Guéziec, G. Taubin,
+//! any. *May introduce* boundary edges, corners where edges are subdivided, and a patch without a consistent side that
+//! was hidden by a non-manifold edge. *Cost*: O(n log d) for edges of degree d. *Source*: A. Guéziec, G. Taubin,
 //! F. Lazarus, W. Horn, *Cutting and stitching*, 2001, for splitting by matching; the sheets follow the text.
 
 use meshmend_core::{
@@ -22,15 +23,17 @@ use meshmend_core::{
 use meshmend_kernels::KernelTask;
 use serde::{Deserialize, Serialize};
 
-use crate::matching::{Matching, StoredGroups, run_the_same_way};
+use crate::matching::{Matching, StoredGroups};
 use crate::{Context, Outcome, Pass, PassError, StoredNames};
 
 mod classes;
 mod radial;
+mod seams;
 mod sheets;
 mod subdivide;
 
 use classes::NewVertices;
+pub use seams::SeamFigures;
 use subdivide::Inserted;
 
 /// Takes a mesh apart until it is manifold, and no further.
@@ -86,7 +89,15 @@ impl Pass for Split {
         ]
     }
     fn may_introduce(&self) -> &'static [DefectKind] {
-        &[DefectKind::BoundaryEdge, DefectKind::CoincidentVertex, DefectKind::InconsistentEdge]
+        &[
+            DefectKind::BoundaryEdge,
+            DefectKind::CoincidentVertex,
+            // In a patch that by vertices as stored has no consistent side, but hung together otherwise before.
+            DefectKind::InconsistentEdge,
+            DefectKind::NonOrientablePatch,
+            // A triangle one of whose edges is subdivided.
+            DefectKind::PolygonFace,
+        ]
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
@@ -108,7 +119,7 @@ impl KernelTask for Task<'_> {
         let mut matching = Matching::by_rules(kernel, &stored);
         let seam = match self.options.seams {
             Seams::Keep => Vec::new(),
-            Seams::Cut => part_seams(kernel, &mut matching),
+            Seams::Cut => seams::part_seams(kernel, &mut matching),
         };
         self.context.check_cancelled()?;
         let joined = match self.options.edges {
@@ -121,27 +132,16 @@ impl KernelTask for Task<'_> {
         };
         self.context.check_cancelled()?;
         let classes = classes::corner_classes(kernel, &matching, &joined);
+        let figures = seams::seam_figures(kernel, self.mesh, &matching, &classes, &seam);
         let names = NewVertices::name(kernel, &stored, classes);
         let inserted = match self.options.edges {
             SplitEdges::PinchOnly => Inserted { vertices: Vec::new(), sides: Vec::new(), edges: Vec::new() },
             _ => subdivide::subdivide(kernel, self.mesh, &matching, &names),
         };
-        self.outcome(kernel, names, inserted, seam)
+        let seam = seams::seam_edges(kernel, &seam).collect();
+        let outcome = self.outcome(kernel, names, inserted, seam)?;
+        Ok(Outcome { seam: figures, ..outcome })
     }
-}
-
-/// Parts matched sides that run the same way, in patches that have no consistent side.
-fn part_seams<K: Connectivity>(kernel: &K, matching: &mut Matching) -> Vec<Defect> {
-    let patches = sheets::PatchSides::patches(kernel, matching);
-    let clashing: Vec<(CornerId, CornerId)> = matching
-        .pairs()
-        .filter(|&(one, other)| {
-            run_the_same_way(kernel, one, other) && patches.is_twisted(kernel.corner_face(one))
-        })
-        .collect();
-    clashing.iter().for_each(|&(one, other)| matching.part(one, other));
-    let edges = clashing.iter().map(|&(one, _)| kernel.corner_edge(one));
-    edges.map(|edge| Defect::SeamEdge { edge, ends: kernel.edge_ends(edge) }).collect()
 }
 
 /// The sides that `pinch-only` keeps together: those of one edge of degree three or more as stored.
@@ -239,8 +239,7 @@ impl Task<'_> {
                 corner_sources.push(Some(corner));
                 if let Some((vertex, blend)) = at_corner[corner.index()] {
                     builder.push_corner(vertex);
-                    created_corners
-                        .push((CornerId::new(corner_sources.len()), self.in_stored_corners(blend)));
+                    created_corners.push((CornerId::new(corner_sources.len()), blend));
                     corner_sources.push(None);
                 }
             }
@@ -249,14 +248,10 @@ impl Task<'_> {
         let created = inserted.vertices.len();
         let faces = builder.build(names.present.len() + created)?;
         let sources = names.present.iter().map(|&v| Some(v)).chain(std::iter::repeat_n(None, created));
-        let created_vertices = inserted.vertices.into_iter().map(|mut vertex| {
-            vertex.place = self.in_stored_corners(vertex.place);
-            vertex
-        });
         Ok(Draft {
             vertex_sources: Sources::listed(sources),
             kept_positions: Some(names.positions),
-            created_vertices: created_vertices.collect(),
+            created_vertices: inserted.vertices,
             created_corners,
             ..Draft::of_faces(
                 self.mesh,
@@ -285,16 +280,5 @@ impl Task<'_> {
             found.push(vertex);
         }
         found
-    }
-
-    fn in_stored_corners(&self, blend: Blend) -> Blend {
-        let complex = self.mesh.complex();
-        match blend {
-            Blend::Along { from, to, numerator, denominator } => {
-                let (from, to) = (complex.stored_corner(from), complex.stored_corner(to));
-                Blend::Along { from, to, numerator, denominator }
-            }
-            inside => inside,
-        }
     }
 }

@@ -1,9 +1,10 @@
 //! A mesh as plain lists: the common coin of the testkit.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use meshmend_core::{Complex, FaceTable, FaceTableBuilder, PolygonMesh, VertexId};
+use meshmend_core::{
+    Carry, Complex, Domain, FaceTable, FaceTableBuilder, Layer, PolygonMesh, Values, VertexId,
+};
 
 /// Positions, and faces as lists of vertices; nothing is promised but that the vertices exist.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,6 +38,21 @@ impl Soup {
     /// The library's mesh.
     pub fn mesh(&self) -> PolygonMesh {
         PolygonMesh::new(self.positions.clone(), self.table()).expect("one position a vertex")
+    }
+
+    /// The library's mesh, each of whose vertices, corners and faces carries its own number.
+    pub fn numbered(&self) -> PolygonMesh {
+        let mesh = self.mesh();
+        let counts = mesh.counts();
+        let layer = |name, domain, count: usize| {
+            Layer::direct(name, domain, 1, Carry::Clear, Values::U32((0..count as u32).collect()))
+        };
+        let layers = vec![
+            layer("vertex number", Domain::Vertex, counts.vertices),
+            layer("corner number", Domain::Corner, counts.corners),
+            layer("face number", Domain::Face, counts.faces),
+        ];
+        mesh.with_layers(layers).expect("a layer speaks of every element")
     }
 
     /// The library's complex.
@@ -80,46 +96,6 @@ impl Soup {
         }
         all
     }
-
-    /// Each face of more than three corners cut into triangles from its first corner.
-    ///
-    /// A face of n corners becomes n − 2 triangles with n − 3 new edges, provided that those are new.
-    pub fn triangulated(&self) -> Self {
-        let cut = |face: &Vec<u32>| -> Vec<Vec<u32>> {
-            if face.len() < 4 {
-                return vec![face.clone()];
-            }
-            (1..face.len() - 1).map(|i| vec![face[0], face[i], face[i + 1]]).collect()
-        };
-        Soup { positions: self.positions.clone(), faces: self.faces.iter().flat_map(cut).collect() }
-    }
-
-    /// Each edge halved and each face of n corners cut into n quads that meet in a new vertex inside it.
-    ///
-    /// So V' = V + E + F, E' = 2E + Σn and F' = Σn; the surface stays what it was.
-    pub fn refined(&self) -> Self {
-        let mut refined = Soup { positions: self.positions.clone(), faces: Vec::new() };
-        let mut middles: BTreeMap<[u32; 2], u32> = BTreeMap::new();
-        for face in &self.faces {
-            let n = face.len();
-            let rim: Vec<u32> = (0..n)
-                .map(|i| {
-                    let (a, b) = (face[i], face[(i + 1) % n]);
-                    *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| refined.push_mean(&[a, b]))
-                })
-                .collect();
-            let centre = refined.push_mean(face);
-            refined.faces.extend((0..n).map(|i| vec![face[i], rim[i], centre, rim[(i + n - 1) % n]]));
-        }
-        refined
-    }
-
-    fn push_mean(&mut self, vertices: &[u32]) -> u32 {
-        let sum = |axis: usize| vertices.iter().map(|&v| self.positions[v as usize][axis]).sum::<f64>();
-        let mean = [0, 1, 2].map(|axis| sum(axis) / vertices.len() as f64);
-        self.positions.push(mean);
-        self.positions.len() as u32 - 1
-    }
 }
 
 fn moment_curve(i: usize) -> [f64; 3] {
@@ -144,13 +120,5 @@ mod tests {
         let renamed = soup.renamed(&[2, 0, 1]);
         assert_eq!(renamed.faces, [[2, 0, 1]]);
         assert_eq!(renamed.positions[2], soup.positions[0]);
-    }
-
-    #[test]
-    fn refining_a_triangle_gives_three_quads_and_cutting_them_six_triangles() {
-        let refined = Soup::generic(3, [[0, 1, 2]]).refined();
-        assert_eq!((refined.vertex_count(), refined.faces.len()), (7, 3));
-        assert!(refined.faces.iter().all(|face| face.len() == 4));
-        assert_eq!(refined.triangulated().faces.len(), 6);
     }
 }

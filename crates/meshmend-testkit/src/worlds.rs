@@ -6,7 +6,7 @@ use proptest::sample::subsequence;
 
 use crate::Soup;
 use crate::damage::{Damage, Unreal, Way};
-use crate::shapes::{Shape, catalogue};
+use crate::shapes::{Shape, Tiles, catalogue, klein_bottle, torus};
 
 /// Tables of any shape: up to `faces` faces of 0 to 8 corners over up to 9 vertices, corners repeated at will, some
 /// vertices unreferenced; positions on a small grid, so that many coincide, and now and then not finite.
@@ -76,6 +76,32 @@ pub fn damaged_shape() -> impl Strategy<Value = (Shape, Vec<Damage>, Soup)> {
             }
             (shape, harms, soup)
         })
+}
+
+/// A torus or a Klein bottle of quads with pieces taken out, some turned over on request, and begun at any corner; so
+/// that strict structures see more than tidy meshes.
+pub fn damaged_grid() -> impl Strategy<Value = Soup> {
+    let damage = vec((any::<bool>(), proptest::bool::weighted(0.85), 0usize..4), 30);
+    (3..6usize, 3..6usize, any::<bool>(), any::<bool>(), damage).prop_map(
+        |(columns, rows, is_mirrored, is_turned, damage)| {
+            let glued = if is_mirrored { klein_bottle } else { torus };
+            let mut soup = glued(columns, rows, Tiles::Quads).soup;
+            for (face, &(turn, _, rotation)) in soup.faces.iter_mut().zip(&damage) {
+                if turn && is_turned {
+                    face.reverse();
+                }
+                face.rotate_left(rotation);
+            }
+            let mut kept = damage.iter().map(|(_, is_kept, _)| *is_kept);
+            soup.faces.retain(|_| kept.next() == Some(true));
+            soup
+        },
+    )
+}
+
+/// One or two faces with many corners on few vertices, in general position.
+pub fn self_touching() -> impl Strategy<Value = Soup> {
+    vec(vec(0u32..6, 3..7), 1..3).prop_map(|faces| Soup::generic(6, faces))
 }
 
 /// A permutation of the vertices of a mesh, for [`Soup::renamed`].

@@ -29,6 +29,11 @@ impl BoundaryLoops {
         self.starts.windows(2).map(|range| &self.vertices[range[0] as usize..range[1] as usize])
     }
 
+    /// The vertices of one loop, by its place in the order.
+    pub fn vertices(&self, place: usize) -> &[VertexId] {
+        &self.vertices[self.starts[place] as usize..self.starts[place + 1] as usize]
+    }
+
     /// Whether every boundary edge is in a loop.
     pub fn is_complete(&self) -> bool {
         self.vertices.len() == self.boundary_edges

@@ -99,99 +99,93 @@ impl DefectList {
         }
     }
 
-    /// How many defects of a kind there are.
+    /// How many defects of a kind there are. *Cost*: O(1).
     pub fn count(&self, kind: DefectKind) -> usize {
+        self.of_kind(kind).len()
+    }
+
+    /// The defects of a kind, by ascending id.
+    pub fn of_kind(&self, kind: DefectKind) -> impl ExactSizeIterator<Item = Defect> + '_ {
         match kind {
-            DefectKind::DegenerateFace => self.degenerate_faces.len(),
-            DefectKind::NonSimpleFace => self.non_simple_faces.len(),
-            DefectKind::RepeatedCorner => self.repeated_corners.len(),
-            DefectKind::DuplicateFace => self.same_faces.len(),
-            DefectKind::OppositeFace => self.opposite_faces.len(),
-            DefectKind::BoundaryEdge => self.boundary_edges.len(),
-            DefectKind::NonManifoldEdge => self.non_manifold_edges.len(),
-            DefectKind::InconsistentEdge => self.inconsistent_edges.len(),
-            DefectKind::PinchedVertex => self.pinched_vertices.len(),
-            DefectKind::SingularVertex => self.singular_vertices.len(),
-            DefectKind::NonFiniteVertex => self.non_finite_vertices.len(),
-            DefectKind::UnreferencedVertex => self.unreferenced_vertices.len(),
-            DefectKind::LooseEdge => self.loose_edges.len(),
-            DefectKind::LoosePoint => self.loose_points.len(),
-            DefectKind::NonOrientablePatch => self.one_sided.len(),
+            DefectKind::DegenerateFace => {
+                each(&self.degenerate_faces, |&face| Defect::DegenerateFace { face })
+            }
+            DefectKind::NonSimpleFace => {
+                each(&self.non_simple_faces, |&(face, vertex)| Defect::NonSimpleFace { face, vertex })
+            }
+            DefectKind::RepeatedCorner => {
+                each(&self.repeated_corners, |&(face, vertex)| Defect::RepeatedCorner { face, vertex })
+            }
+            DefectKind::DuplicateFace => {
+                each(&self.same_faces, |&DuplicateFace { face, original, .. }| Defect::DuplicateFace {
+                    face,
+                    original,
+                })
+            }
+            DefectKind::OppositeFace => {
+                each(&self.opposite_faces, |&DuplicateFace { face, original, .. }| Defect::OppositeFace {
+                    face,
+                    original,
+                })
+            }
+            DefectKind::BoundaryEdge => {
+                each(&self.boundary_edges, |&EdgeAt { edge, ends }| Defect::BoundaryEdge { edge, ends })
+            }
+            DefectKind::NonManifoldEdge => {
+                each(&self.non_manifold_edges, |&(EdgeAt { edge, ends }, degree)| Defect::NonManifoldEdge {
+                    edge,
+                    ends,
+                    degree,
+                })
+            }
+            DefectKind::InconsistentEdge => each(&self.inconsistent_edges, |&EdgeAt { edge, ends }| {
+                Defect::InconsistentEdge { edge, ends }
+            }),
+            DefectKind::PinchedVertex => {
+                each(&self.pinched_vertices, |&Pinch { vertex, umbrellas, boundary_only }| {
+                    Defect::PinchedVertex { vertex, umbrellas, boundary_only }
+                })
+            }
+            DefectKind::SingularVertex => {
+                each(&self.singular_vertices, |&vertex| Defect::SingularVertex { vertex })
+            }
+            DefectKind::NonFiniteVertex => {
+                each(&self.non_finite_vertices, |&vertex| Defect::NonFiniteVertex { vertex })
+            }
+            DefectKind::UnreferencedVertex => {
+                each(&self.unreferenced_vertices, |&vertex| Defect::UnreferencedVertex { vertex })
+            }
+            DefectKind::LooseEdge => {
+                numbered(&self.loose_edges, |index, &ends| Defect::LooseEdge { index, ends })
+            }
+            DefectKind::LoosePoint => {
+                numbered(&self.loose_points, |index, &vertex| Defect::LoosePoint { index, vertex })
+            }
+            DefectKind::NonOrientablePatch => each(&self.one_sided, |strip| strip.clone().into()),
             // What only some kernel, some pass or a look at positions finds.
             DefectKind::PolygonFace
             | DefectKind::NonFiniteFace
             | DefectKind::SeamEdge
             | DefectKind::CoincidentEdges
-            | DefectKind::CoincidentVertex => 0,
+            | DefectKind::CoincidentVertex => Box::new(std::iter::empty()),
         }
-    }
-
-    /// The defects of a kind, by ascending id.
-    pub fn of_kind(&self, kind: DefectKind) -> impl Iterator<Item = Defect> + '_ {
-        (0..self.count(kind)).filter_map(move |place| self.defect(kind, place))
     }
 
     /// All defects, by kind and then by id.
     pub fn iter(&self) -> impl Iterator<Item = Defect> + '_ {
         DefectKind::ALL.iter().flat_map(|&kind| self.of_kind(kind))
     }
+}
 
-    /// The defect of a kind at a place in its list.
-    fn defect(&self, kind: DefectKind, place: usize) -> Option<Defect> {
-        let at = |place: usize| place as u32;
-        Some(match kind {
-            DefectKind::DegenerateFace => Defect::DegenerateFace { face: self.degenerate_faces[place] },
-            DefectKind::NonSimpleFace => {
-                let (face, vertex) = self.non_simple_faces[place];
-                Defect::NonSimpleFace { face, vertex }
-            }
-            DefectKind::RepeatedCorner => {
-                let (face, vertex) = self.repeated_corners[place];
-                Defect::RepeatedCorner { face, vertex }
-            }
-            DefectKind::DuplicateFace => {
-                let DuplicateFace { face, original, .. } = self.same_faces[place];
-                Defect::DuplicateFace { face, original }
-            }
-            DefectKind::OppositeFace => {
-                let DuplicateFace { face, original, .. } = self.opposite_faces[place];
-                Defect::OppositeFace { face, original }
-            }
-            DefectKind::BoundaryEdge => {
-                let EdgeAt { edge, ends } = self.boundary_edges[place];
-                Defect::BoundaryEdge { edge, ends }
-            }
-            DefectKind::NonManifoldEdge => {
-                let (EdgeAt { edge, ends }, degree) = self.non_manifold_edges[place];
-                Defect::NonManifoldEdge { edge, ends, degree }
-            }
-            DefectKind::InconsistentEdge => {
-                let EdgeAt { edge, ends } = self.inconsistent_edges[place];
-                Defect::InconsistentEdge { edge, ends }
-            }
-            DefectKind::PinchedVertex => {
-                let Pinch { vertex, umbrellas, boundary_only } = self.pinched_vertices[place];
-                Defect::PinchedVertex { vertex, umbrellas, boundary_only }
-            }
-            DefectKind::SingularVertex => Defect::SingularVertex { vertex: self.singular_vertices[place] },
-            DefectKind::NonFiniteVertex => {
-                Defect::NonFiniteVertex { vertex: self.non_finite_vertices[place] }
-            }
-            DefectKind::UnreferencedVertex => {
-                Defect::UnreferencedVertex { vertex: self.unreferenced_vertices[place] }
-            }
-            DefectKind::LooseEdge => Defect::LooseEdge { index: at(place), ends: self.loose_edges[place] },
-            DefectKind::LoosePoint => {
-                Defect::LoosePoint { index: at(place), vertex: self.loose_points[place] }
-            }
-            DefectKind::NonOrientablePatch => self.one_sided[place].clone().into(),
-            DefectKind::PolygonFace
-            | DefectKind::NonFiniteFace
-            | DefectKind::SeamEdge
-            | DefectKind::CoincidentEdges
-            | DefectKind::CoincidentVertex => return None,
-        })
-    }
+type Defects<'a> = Box<dyn ExactSizeIterator<Item = Defect> + 'a>;
+
+fn each<'a, T>(list: &'a [T], defect: impl Fn(&T) -> Defect + 'a) -> Defects<'a> {
+    Box::new(list.iter().map(defect))
+}
+
+/// Elements that have no id of their own but a place in their list.
+fn numbered<'a, T>(list: &'a [T], defect: impl Fn(u32, &T) -> Defect + 'a) -> Defects<'a> {
+    Box::new(list.iter().enumerate().map(move |(place, item)| defect(place as u32, item)))
 }
 
 fn edges_of_degree_one<K: Connectivity>(kernel: &K) -> usize {

@@ -48,3 +48,14 @@ part_id!(
     PatchId,
     "patch"
 );
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_shown_with_their_word() {
+        assert_eq!(ComponentId::new(2).to_string(), "component 2");
+        assert_eq!(format!("{:?}", PatchId::new(0)), "patch 0");
+    }
+}

@@ -27,10 +27,16 @@ mod defect_list;
 mod duplicates;
 mod elimination;
 mod face_shape;
+mod gluing;
 mod ids;
+mod incremental;
+mod joints;
+mod loops;
+mod one_sided;
 mod orientability;
 mod patches;
 mod report;
+mod seam;
 mod surface;
 
 #[cfg(test)]
@@ -43,8 +49,20 @@ pub use components::{Components, components};
 pub use defect_list::DefectList;
 pub use duplicates::{DuplicateFace, Likeness, duplicate_faces};
 pub use face_shape::{faces_with_repeated_corners, non_simple_faces};
+pub use gluing::{GluingWord, Letter};
 pub use ids::{ComponentId, PatchId};
+pub use incremental::{Cell, Effect, Incremental, REDUCTION_BUDGET, Step, incremental, incremental_within};
+pub use joints::Joint;
+pub use loops::{
+    CoTree, ComponentGenerators, CutGraph, Generator, GeneratorError, GeneratorKind, GeneratorOptions,
+    Generators, LoopSystem, Measure, Roots, cut_graph, generators,
+};
+pub use one_sided::{ONE_SIDED_BUDGET, OneSidedLoop, one_sided_loops, one_sided_loops_by_length};
 pub use orientability::{OneSidedStrip, Orientability, orientability};
 pub use patches::{Patches, Side, patches};
-pub use report::{DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, topology};
+pub use report::{
+    DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness, topology,
+    topology_with,
+};
+pub use seam::{Seam, seams, seams_by_length, short_seam};
 pub use surface::{Surface, surface_name};

@@ -229,7 +229,7 @@ mod tests {
 
     /// Whether a strip is simple, joined across the edges that it names, and comes back mirrored.
     fn is_one_sided<K: Connectivity>(kernel: &K, strip: &OneSidedStrip) -> bool {
-        let mut mirrored = false;
+        let (mut is_joined, mut mirrored) = (true, false);
         let n = strip.faces.len();
         for i in 0..n {
             let sides: Vec<_> = kernel.edge_corners(strip.edges[i]).collect();
@@ -237,17 +237,20 @@ mod tests {
             let mut wanted = vec![strip.faces[i], strip.faces[(i + 1) % n]];
             joined.sort_unstable();
             wanted.sort_unstable();
-            if joined != wanted {
-                return false;
-            }
+            is_joined &= joined == wanted;
             mirrored ^= kernel.corner_vertex(sides[0]) == kernel.corner_vertex(sides[1]);
         }
-        mirrored && n == strip.edges.len() && strip.faces.iter().collect::<BTreeSet<_>>().len() == n
+        is_joined
+            && mirrored
+            && n == strip.edges.len()
+            && strip.faces.iter().collect::<BTreeSet<_>>().len() == n
     }
 
     #[test]
     fn orientable_surfaces_have_no_witness() {
         assert!(witnesses(&torus(4, 5).kernel()).is_empty());
+        let is_orientable = |kernel| orientability(&kernel, &patches(&kernel)).is_orientable();
+        assert!(is_orientable(torus(4, 5).kernel()) && !is_orientable(klein_bottle(4, 5).kernel()));
     }
 
     #[test]

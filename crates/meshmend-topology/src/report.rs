@@ -5,8 +5,8 @@ use serde::Serialize;
 
 use crate::component_kinds::{ComponentFacts, component_facts, component_kinds};
 use crate::{
-    Betti, ComponentKind, DefectList, Instigators, Surface, betti, boundary_loops, components, instigators,
-    orientability, patches,
+    Betti, ComponentKind, DefectList, Instigators, Orientability, Patches, Surface, betti, boundary_loops,
+    components, instigators, one_sided_loops, orientability, patches,
 };
 
 /// The topology of a mesh: facts, sorted, without a word of text.
@@ -79,6 +79,8 @@ pub struct TopologyReport {
     pub instigators: Instigators,
     /// The components by kind, ordered by lowest vertex.
     pub component_kinds: Vec<ComponentKind>,
+    /// Which strips show that patches are not orientable.
+    pub witness: Witness,
     /// Which figures are absent, and why.
     pub undefined: Vec<Undefined>,
     /// Where everything is that is wrong; apart from the figures, as it can be long.
@@ -104,6 +106,17 @@ pub struct NonManifoldVertexCounts {
     pub singular: u64,
 }
 
+/// Which strip of faces shows that a patch is not orientable.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Witness {
+    /// The one that is read off a breadth-first tree, in near-linear time.
+    #[default]
+    BreadthFirst,
+    /// A shortest one.
+    Shortest,
+}
+
 /// A figure that is absent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Undefined {
@@ -123,8 +136,11 @@ pub enum Reason {
     NoOrientableComponent,
     /// Only non-orientable components have the figure, and there is none.
     NoNonOrientableComponent,
-    /// Elimination would touch more than [`ELIMINATION_BUDGET`](crate::ELIMINATION_BUDGET) matrix entries.
+    /// Elimination would touch more than [`ELIMINATION_BUDGET`](crate::ELIMINATION_BUDGET) matrix entries, or a
+    /// reduction more than [`REDUCTION_BUDGET`](crate::REDUCTION_BUDGET).
     EliminationBudget,
+    /// The search would look more than [`ONE_SIDED_BUDGET`](crate::ONE_SIDED_BUDGET) times at a side.
+    SearchBudget,
 }
 
 /// The topology of a mesh, through a kernel of its complex.
@@ -132,10 +148,17 @@ pub enum Reason {
 /// *Cost*: near-linear in the corners, but for the elimination that [`betti`] bounds; about 30 bytes a face of a
 /// closed mesh while it runs, up to five times that for a soup of separate faces.
 pub fn topology<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> TopologyReport {
+    topology_with(kernel, mesh, Witness::BreadthFirst)
+}
+
+/// The topology of a mesh, with a choice of what shows that a patch is not orientable.
+///
+/// *Cost*: that of [`topology`], and for shortest witnesses that of [`one_sided_loops`].
+pub fn topology_with<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: Witness) -> TopologyReport {
     let (components, patches) = (components(kernel), patches(kernel));
     let vertex_classes = vertex_classes(kernel);
     let facts = component_facts(kernel, &components, &patches, &vertex_classes, &boundary_loops(kernel));
-    let orientability = orientability(kernel, &patches);
+    let (orientability, is_least) = witnesses(kernel, &patches, witness);
     let defects = DefectList::find(kernel, mesh, &vertex_classes, orientability);
     let betti = betti(kernel, &components, &patches);
 
@@ -153,6 +176,8 @@ pub fn topology<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> TopologyRepo
     let mut undefined = totals.undefined();
     let betti_unknown = (betti.z2.is_none() || betti.q.is_none()).then_some(Reason::EliminationBudget);
     undefined.extend(betti_unknown.map(|reason| Undefined { figure: "betti", reason }));
+    let witness_unknown = (!is_least).then_some(Reason::SearchBudget);
+    undefined.extend(witness_unknown.map(|reason| Undefined { figure: "shortest_witness", reason }));
     TopologyReport {
         vertices,
         edges,
@@ -188,8 +213,21 @@ pub fn topology<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> TopologyRepo
         betti_unknown,
         instigators: instigators([vertices, edges, faces], components.count() as u64, betti.z2.map(|b| b[2])),
         component_kinds: component_kinds(&components, &facts),
+        witness,
         undefined,
         defects,
+    }
+}
+
+/// What shows that patches are not orientable, and whether it is as short as was asked for.
+fn witnesses<K: Connectivity>(kernel: &K, patches: &Patches, witness: Witness) -> (Orientability, bool) {
+    match witness {
+        Witness::BreadthFirst => (orientability(kernel, patches), true),
+        Witness::Shortest => {
+            let loops = one_sided_loops(kernel, patches);
+            let is_least = loops.iter().all(|found| found.is_shortest);
+            (Orientability { one_sided: loops.into_iter().map(|found| found.strip).collect() }, is_least)
+        }
     }
 }
 
@@ -235,7 +273,7 @@ impl SurfaceTotals {
 
 #[cfg(test)]
 mod tests {
-    use meshmend_core::EdgeUse;
+    use meshmend_core::{Defect, EdgeUse};
     use serde_json::{Value, json};
 
     use super::*;
@@ -403,6 +441,21 @@ mod tests {
                 assert_eq!(kind.closed, holes == 0);
             }
         }
+    }
+
+    #[test]
+    fn a_shortest_witness_is_given_when_it_is_asked_for() {
+        let shape = shapes::klein_bottle(5, 12);
+        let mesh = shape.mesh();
+        let kernel = EdgeUse::build(mesh.complex()).unwrap();
+        let [usual, shortest] = [Witness::BreadthFirst, Witness::Shortest].map(|witness| {
+            let report = topology_with(&kernel, &mesh, witness);
+            assert!(report.witness == witness && report.undefined.iter().all(|u| u.figure == "genus"));
+            let defect = report.defects.of_kind(DefectKind::NonOrientablePatch).next().unwrap();
+            let Defect::NonOrientablePatch { faces, .. } = defect else { panic!("{defect:?}") };
+            faces.len()
+        });
+        assert!(usual >= 6 && shortest == 6);
     }
 
     #[test]

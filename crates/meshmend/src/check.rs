@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use meshmend_core::{Connectivity, Defect, DefectKind, FaceId, PolygonMesh, Severity, VertexId};
 use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_repair::{PassError, coincident_vertices};
-use meshmend_topology::{TopologyReport, topology};
+use meshmend_topology::{TopologyReport, Witness, topology_with};
 use serde::Serialize;
 
 use crate::View;
@@ -17,6 +17,8 @@ pub struct CheckOptions {
     pub view: View,
     /// The kernel to compute on.
     pub kernel: KernelKind,
+    /// Which strip of faces shows that a patch is not orientable.
+    pub witness: Witness,
 }
 
 /// What a check found.
@@ -65,10 +67,12 @@ pub struct KernelVerdict {
 /// # Errors
 /// When the kernel can't hold the mesh, or the view's distance is none.
 ///
-/// *Cost*: near-linear; one sort of the positions to tell what welding would join.
+/// *Cost*: near-linear, but for shortest witnesses, which cost what
+/// [`one_sided_loops`](meshmend_topology::one_sided_loops) does; one sort of the positions to tell what welding would join.
 pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, PassError> {
     let viewed = options.view.of(mesh)?;
-    let topology = options.kernel.run(viewed.complex(), Analyse { mesh: &viewed })?;
+    let topology =
+        options.kernel.run(viewed.complex(), Analyse { mesh: &viewed, witness: options.witness })?;
     let report = CheckReport::of_topology(viewed, topology);
     Ok(CheckReport {
         view: options.view,
@@ -80,12 +84,13 @@ pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, 
 
 struct Analyse<'a> {
     mesh: &'a PolygonMesh,
+    witness: Witness,
 }
 
 impl KernelTask for Analyse<'_> {
     type Output = TopologyReport;
     fn run<K: Connectivity>(self, kernel: &K) -> TopologyReport {
-        topology(kernel, self.mesh)
+        topology_with(kernel, self.mesh, self.witness)
     }
 }
 
@@ -272,6 +277,10 @@ mod tests {
         let faces: Vec<_> = report.defects_of_kind(DefectKind::NonFiniteFace).collect();
         assert_eq!(faces, [Defect::NonFiniteFace { face: FaceId(0), vertex: VertexId(1) }]);
         assert_eq!(report.count(DefectKind::NonFiniteFace), 1);
+        report = check(&mesh(&spread(4), &[&[0, 1, 2, 3]]), &CheckOptions::default()).unwrap();
+        assert!(report.is_sound());
+        let faces: Vec<_> = report.defects_of_kind(DefectKind::PolygonFace).collect();
+        assert_eq!(faces, [Defect::PolygonFace { face: FaceId(0), corners: 4 }]);
     }
 
     #[test]

@@ -82,20 +82,28 @@
 //! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints.
 //!
 //! The parts are whole crates of their own, here under [`core`](mod@core), [`kernels`], [`topology`],
-//! [`repair`](mod@repair) and [`io`]; what the main jobs need is also here at the top.
+//! [`repair`](mod@repair), [`io`] and [`shapes`]; what the main jobs need is also here at the top. With the feature
+//! `flatten` there is `unfold`, which lays a mesh out in the plane.
 
 mod check;
+mod loops;
 mod mend;
 pub mod report;
+#[cfg(feature = "flatten")]
+mod unfold;
 mod view;
 
 pub use meshmend_core as core;
+#[cfg(feature = "flatten")]
+pub use meshmend_flatten as flatten;
 pub use meshmend_io as io;
 pub use meshmend_kernels as kernels;
 pub use meshmend_repair as repair;
+pub use meshmend_shapes as shapes;
 pub use meshmend_topology as topology;
 
 pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check};
+pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, cut, loops};
 pub use mend::repair;
 pub use meshmend_core::{
     CornerId, Defect, DefectKind, EdgeId, FaceId, FaceTable, FaceTableBuilder, Id, PolygonMesh, Provenance,
@@ -108,4 +116,6 @@ pub use meshmend_io::{
 pub use meshmend_kernels::{KernelKind, KernelTask};
 pub use meshmend_repair::{AnyPass, Distance, Pass, PassError, PassKind, Pipeline, Plan, Repaired};
 pub use meshmend_topology::TopologyReport;
+#[cfg(feature = "flatten")]
+pub use unfold::{UnfoldError, UnfoldOptions, Unfolded, unfold};
 pub use view::View;

@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use meshmend::report::{CheckDocument, json};
+use meshmend::topology::Witness;
 use meshmend::{CheckOptions, CheckReport, DefectKind, KernelKind, View, check};
 
 use super::{name, read};
-use crate::console::{Console, complain};
+use crate::console::Console;
 use crate::failure::{Failure, Status};
-use crate::progress::Progress;
 use crate::render;
 use crate::words::{self, Welding};
 
@@ -27,9 +27,16 @@ pub(crate) struct Check {
     /// The structure to compute on; the answers are the same, unless it can't hold the mesh
     #[arg(long, default_value = "edge-use", value_parser = words::kernel)]
     kernel: KernelKind,
+    /// Which strip of faces shows that a patch is not orientable
+    #[arg(long, value_enum, default_value_t = WitnessWord::BreadthFirst)]
+    witness: WitnessWord,
     /// Print one JSON object a file and line
     #[arg(long)]
     json: bool,
+    /// Print two tables with a row a file: V, E, F, χ and genus; and which elements make and fill cycles, with the
+    /// Betti numbers
+    #[arg(long, conflicts_with = "json")]
+    table: bool,
     /// How many items each list shows at most, also in JSON; counts are always whole
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
@@ -38,44 +45,71 @@ pub(crate) struct Check {
     fail_on: Vec<DefectKind>,
 }
 
+/// What shows that a patch is not orientable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum WitnessWord {
+    /// The one that is found fastest
+    BreadthFirst,
+    /// A shortest one; on large and wide bands this takes long
+    Shortest,
+}
+
+impl From<WitnessWord> for Witness {
+    fn from(word: WitnessWord) -> Self {
+        match word {
+            WitnessWord::BreadthFirst => Witness::BreadthFirst,
+            WitnessWord::Shortest => Witness::Shortest,
+        }
+    }
+}
+
 impl Check {
-    pub(crate) fn run(self) -> Result<Status, Failure> {
-        let mut console = Console::open();
-        let mut status = Status::Done;
+    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+        let (mut status, mut rows) = (Status::Done, Vec::new());
         for (place, file) in self.files.iter().enumerate() {
             if console.is_closed() {
                 break;
             }
-            match self.check_file(file) {
-                Ok((text, found)) => {
-                    let gap = if place > 0 && !self.json { "\n" } else { "" };
-                    console.write(&format!("{gap}{text}"))?;
+            match self.check_file(file, console) {
+                Ok((document, found)) => {
                     status = status.and(found);
+                    if self.table {
+                        rows.push(document);
+                        continue;
+                    }
+                    let gap = if place > 0 && !self.json { "\n" } else { "" };
+                    let text = self.text(&document, console)?;
+                    console.write(&format!("{gap}{text}"))?;
                 }
                 Err(failure) if failure.status == Status::Usage => return Err(failure),
                 Err(failure) => {
-                    complain(&failure);
+                    console.complain(&failure);
                     status = status.and(failure.status);
                 }
             }
         }
+        if !rows.is_empty() {
+            console.write(&render::paper_tables(&rows, console.style()))?;
+        }
         Ok(status)
     }
 
-    /// The report on one file as text, and whether it fails.
-    fn check_file(&self, path: &Path) -> Result<(String, Status), Failure> {
-        let progress = Progress::in_steps(2);
+    /// The report on one file, and whether it fails.
+    fn check_file(&self, path: &Path, console: &Console<'_>) -> Result<(CheckDocument, Status), Failure> {
+        let progress = console.progress(2);
         progress.step(&format!("read {}", path.display()));
         let file = read(path)?;
         progress.step(&format!("check {}", path.display()));
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        let options = CheckOptions { view, kernel: self.kernel };
+        let options = CheckOptions { view, kernel: self.kernel, witness: self.witness.into() };
         let report = check(&file.mesh, &options).map_err(|error| Failure::of_pass(&name(path), &error))?;
         let status = if self.is_failing(&report) { Status::DefectsFound } else { Status::Done };
         let document = CheckDocument::new(report, self.limit).of_file(name(path), &file);
-        drop(progress);
-        let text = if self.json { json_line(&document)? } else { render::check(&document, Console::style()) };
-        Ok((text, status))
+        Ok((document, status))
+    }
+
+    fn text(&self, document: &CheckDocument, console: &Console<'_>) -> Result<String, Failure> {
+        if self.json { json_line(document) } else { Ok(render::check(document, console.style())) }
     }
 
     fn is_failing(&self, report: &CheckReport) -> bool {

@@ -15,10 +15,10 @@ pub(crate) struct Completions {
 }
 
 impl Completions {
-    pub(crate) fn run(self) -> Result<Status, Failure> {
+    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut crate::description(), "meshmend", &mut script);
-        Console::open().write(&String::from_utf8_lossy(&script))?;
+        console.write(&String::from_utf8_lossy(&script))?;
         Ok(Status::Done)
     }
 }

@@ -7,7 +7,6 @@ use clap::Args;
 use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
-use crate::progress::Progress;
 use crate::render;
 use crate::words::OutputWords;
 
@@ -27,16 +26,16 @@ pub(crate) struct Convert {
 }
 
 impl Convert {
-    pub(crate) fn run(self) -> Result<Status, Failure> {
+    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let options = self.words.options(&self.output)?;
-        let progress = Progress::in_steps(2);
+        let progress = console.progress(2);
         progress.step("read");
         let file = read(&self.input)?;
         progress.step("write");
         let losses = meshmend::write(&self.output, &file.mesh, &options)?;
         drop(progress);
         let text = render::conversion(&name(&self.input), &name(&self.output), &file, &losses);
-        Console::open().write(&text)?;
+        console.write(&text)?;
         Ok(Status::Done)
     }
 }

@@ -16,8 +16,8 @@ pub(crate) struct Explain {
 }
 
 impl Explain {
-    pub(crate) fn run(self) -> Result<Status, Failure> {
-        let style = Console::style();
+    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+        let style = console.style();
         let text = match self.name.as_deref() {
             None => render::glossary(style),
             Some(name) => entry(name)
@@ -28,7 +28,7 @@ impl Explain {
                     ))
                 })?,
         };
-        Console::open().write(&text)?;
+        console.write(&text)?;
         Ok(Status::Done)
     }
 }

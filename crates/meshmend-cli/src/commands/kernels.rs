@@ -32,8 +32,8 @@ pub(crate) struct Trial {
 }
 
 impl Kernels {
-    pub(crate) fn run(self) -> Result<Status, Failure> {
-        let mut text = render::kernels(Console::style());
+    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+        let mut text = render::kernels(console.style());
         if let Some(path) = &self.file {
             let file = read(path)?;
             let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
@@ -43,7 +43,7 @@ impl Kernels {
             text.push('\n');
             text.push_str(&render::trials(&name(path), mesh.complex().proper_face_count(), &trials));
         }
-        Console::open().write(&text)?;
+        console.write(&text)?;
         Ok(Status::Done)
     }
 }

@@ -3,8 +3,15 @@
 mod check;
 mod completions;
 mod convert;
+mod cut;
 mod explain;
+#[cfg(feature = "flatten")]
+mod flatten;
+mod incremental;
 mod kernels;
+mod loops;
+mod make;
+mod render;
 mod repair;
 
 pub(crate) use kernels::Trial;
@@ -14,6 +21,7 @@ use std::path::Path;
 use clap::Subcommand;
 use meshmend::{ReadFile, ReadOptions};
 
+use crate::console::Console;
 use crate::failure::{Failure, Status};
 
 /// What to do.
@@ -22,20 +30,34 @@ pub(crate) enum Command {
     Check(check::Check),
     Repair(Box<repair::Repair>),
     Convert(convert::Convert),
+    Loops(loops::Loops),
+    Cut(cut::Cut),
+    Render(Box<render::Render>),
+    Incremental(incremental::Incremental),
+    #[cfg(feature = "flatten")]
+    Flatten(flatten::Flatten),
+    Make(make::Make),
     Kernels(kernels::Kernels),
     Explain(explain::Explain),
     Completions(completions::Completions),
 }
 
 impl Command {
-    pub(crate) fn run(self) -> Result<Status, Failure> {
+    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         match self {
-            Command::Check(command) => command.run(),
-            Command::Repair(command) => command.run(),
-            Command::Convert(command) => command.run(),
-            Command::Kernels(command) => command.run(),
-            Command::Explain(command) => command.run(),
-            Command::Completions(command) => command.run(),
+            Command::Check(command) => command.run(console),
+            Command::Repair(command) => command.run(console),
+            Command::Convert(command) => command.run(console),
+            Command::Loops(command) => command.run(console),
+            Command::Cut(command) => command.run(console),
+            Command::Render(command) => command.run(console),
+            Command::Incremental(command) => command.run(console),
+            #[cfg(feature = "flatten")]
+            Command::Flatten(command) => command.run(console),
+            Command::Make(command) => command.run(console),
+            Command::Kernels(command) => command.run(console),
+            Command::Explain(command) => command.run(console),
+            Command::Completions(command) => command.run(console),
         }
     }
 }

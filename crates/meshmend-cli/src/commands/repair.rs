@@ -15,8 +15,7 @@ use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::policies::Policies;
-use crate::progress::Progress;
-use crate::render;
+use crate::render::{self, Style};
 use crate::words::{self, OutputWords};
 
 /// Mend a mesh: make it manifold, consistently oriented and free of rubbish, and name all that was done
@@ -64,7 +63,7 @@ struct Target<'a> {
 }
 
 impl Repair {
-    pub(crate) fn run(self) -> Result<Status, Failure> {
+    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let target = self.target()?;
         let format = target.as_ref().and_then(|target| target.options.format);
         let plan = match format {
@@ -75,7 +74,7 @@ impl Repair {
         let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
         self.check_report_options()?;
 
-        let progress = Progress::in_steps(pipeline.passes().len() + 4);
+        let progress = console.progress(pipeline.passes().len() + 4);
         progress.step("read");
         let file = read(&self.input)?;
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
@@ -96,7 +95,7 @@ impl Repair {
         self.name_output(&repaired.mesh, target.as_ref(), &mut document);
         self.write(&repaired.mesh, target.as_ref(), &document)?;
         drop(progress);
-        Console::open().write(&self.text(&document)?)?;
+        console.write(&self.text(&document, console.style())?)?;
         Ok(Status::Done)
     }
 
@@ -183,13 +182,13 @@ impl Repair {
         }
     }
 
-    fn text(&self, document: &RepairDocument) -> Result<String, Failure> {
+    fn text(&self, document: &RepairDocument, style: Style) -> Result<String, Failure> {
         if self.json {
             json_line(document)
         } else if self.quiet {
             Ok(render::summary(document))
         } else {
-            Ok(render::repair(document, Console::style()))
+            Ok(render::repair(document, style))
         }
     }
 }

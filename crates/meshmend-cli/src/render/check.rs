@@ -111,7 +111,7 @@ fn reason(reason: Reason) -> &'static str {
         Reason::NonManifoldComponent => "not defined: a component is not manifold",
         Reason::NoOrientableComponent => "not defined: no component is orientable",
         Reason::NoNonOrientableComponent => "not defined: every component is orientable",
-        Reason::EliminationBudget => "not computed: it would take too long",
+        Reason::EliminationBudget | Reason::SearchBudget => "not computed: it would take too long",
     }
 }
 

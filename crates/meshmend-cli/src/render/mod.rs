@@ -3,17 +3,33 @@
 mod check;
 mod conversion;
 mod glossary;
+mod incremental;
 mod kernels;
+mod loops;
+mod paper_tables;
+mod picture;
 mod repair;
+mod shapes;
+mod step_plot;
 mod style;
 mod table;
+#[cfg(feature = "flatten")]
+mod unfolded;
 
 pub(crate) use check::check;
 pub(crate) use conversion::conversion;
 pub(crate) use glossary::{defect_heading, explanation, glossary};
+pub(crate) use incremental::incremental;
 pub(crate) use kernels::{kernels, trials};
+pub(crate) use loops::{cut, loops};
+pub(crate) use paper_tables::paper_tables;
+pub(crate) use picture::picture;
 pub(crate) use repair::{repair, summary};
+pub(crate) use shapes::{shape, shapes};
+pub(crate) use step_plot::step_plot;
 pub(crate) use style::Style;
+#[cfg(feature = "flatten")]
+pub(crate) use unfolded::unfolded;
 
 use meshmend::report::Listing;
 use meshmend::{Defect, DefectKind};

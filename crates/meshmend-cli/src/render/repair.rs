@@ -1,5 +1,6 @@
 //! What a repair did: before and after side by side, pass by pass, what went, what is left.
 
+use meshmend::repair::SeamFigures;
 use meshmend::report::{FigureChanges, PassDocument, RepairDocument};
 use meshmend::{PassKind, Severity};
 
@@ -82,11 +83,19 @@ fn pass(document: &PassDocument) -> Vec<String> {
         _ => String::new(),
     };
     let mut lines = vec![format!("{:<12}{text}{figures}", document.pass.name())];
+    lines.extend(document.seam.map(|seam| format!("{:<12}{}", "", cut_open(seam))));
     let left = kinds_with_counts(counts(&document.left));
     if !left.is_empty() {
         lines.push(format!("{:<12}left alone: {left}", ""));
     }
     lines
+}
+
+/// What cutting non-orientable patches open took.
+fn cut_open(seam: SeamFigures) -> String {
+    let length = seam.length.map_or(String::new(), |length| format!(" of length {length:.6}"));
+    let SeamFigures { edges, edges_added, vertices_added, .. } = seam;
+    format!("seam of {edges} edges{length} cut open: {edges_added} edges and {vertices_added} vertices added")
 }
 
 /// How many vertices welding joined. The kind's own title speaks of what exact welding would do.

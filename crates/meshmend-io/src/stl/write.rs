@@ -8,7 +8,7 @@ use crate::layers::{layer_losses, layer_of, loose_losses, metadata_losses};
 use crate::sink::Sink;
 use crate::stl::{HEAD, HEADER, SOLID};
 use crate::text::trimmed;
-use crate::{Encoding, Format, Loss, LossKind, WriteErrorKind};
+use crate::{Encoding, Loss, LossKind, WriteErrorKind};
 
 pub(super) fn encode(
     mesh: &PolygonMesh,
@@ -25,9 +25,8 @@ pub(super) fn encode(
 
 fn write_binary(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErrorKind> {
     let faces = mesh.faces();
-    let found: u64 = faces.faces().map(|f| faces.corner_range(f).len().saturating_sub(2) as u64).sum();
-    let too_many = |_| WriteErrorKind::TooMany { format: Format::Stl, what: "triangles", found };
-    let count = u32::try_from(found).map_err(too_many)?;
+    // A mesh has fewer than 2³¹ corners, and more of them than triangles.
+    let count: u32 = faces.faces().map(|f| faces.corner_range(f).len().saturating_sub(2) as u32).sum();
     sink.bytes(&header(mesh));
     sink.bytes(&count.to_le_bytes());
     let attribute = attribute_layer(mesh);

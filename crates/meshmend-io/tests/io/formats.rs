@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use crate::common::written;
 use meshmend_core::{FaceTable, PolygonMesh, VertexId};
 use meshmend_io::{
-    Encoding, Format, Place, ReadErrorKind, ReadOptions, WriteErrorKind, WriteOptions, encode, losses, read,
-    read_bytes, write,
+    Encoding, Format, Loss, LossKind, Place, ReadErrorKind, ReadOptions, WriteErrorKind, WriteOptions,
+    encode, losses, read, read_bytes, write,
 };
 
 fn triangle() -> PolygonMesh {
@@ -45,6 +45,18 @@ fn extensions_stand_for_formats_in_any_case() {
 }
 
 #[test]
+fn only_formats_that_hold_polygons_carry_them_without_a_loss() {
+    let square = FaceTable::polygons(4, vec![0, 4], [0, 1, 3, 2].map(VertexId).to_vec()).unwrap();
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    let square = PolygonMesh::new(positions, square).unwrap();
+    for &format in Format::ALL {
+        let is_cut = |loss: &Loss| loss.kind == LossKind::Polygons;
+        let keeps = !losses(&square, &WriteOptions::of(format)).iter().any(is_cut);
+        assert_eq!(format.holds_polygons(), keeps, "{format}");
+    }
+}
+
+#[test]
 fn content_tells_the_format_where_the_name_does_not() {
     let mesh = triangle();
     for &format in Format::ALL {
@@ -53,7 +65,18 @@ fn content_tells_the_format_where_the_name_does_not() {
             assert_eq!(Format::from_content(&bytes), Some(format), "{format} {encoding}");
             let file = read_bytes(&bytes, "no-extension", &ReadOptions::default()).unwrap();
             assert_eq!((file.format, file.mesh.counts().faces), (format, 1));
+            assert_eq!(read_bytes(&bytes, "mesh.txt", &ReadOptions::default()).unwrap().format, format);
         }
+    }
+}
+
+#[test]
+fn content_that_may_be_anything_tells_no_format() {
+    let empty_binary_stl = [0; 84];
+    for bytes in
+        [&b""[..], b"solid ground\n", b"a facet normal\n", &empty_binary_stl, b"v", b"ply1\n", b"# c\n"]
+    {
+        assert_eq!(Format::from_content(bytes), None, "{}", String::from_utf8_lossy(bytes));
     }
 }
 
@@ -64,7 +87,8 @@ fn unknown_formats_are_an_error_of_their_own() {
     {
         let error = read_bytes(bytes, name, &ReadOptions::default()).unwrap_err();
         assert!(matches!(error.kind, ReadErrorKind::UnknownFormat), "{error}");
-        assert!(error.to_string().starts_with(&format!("{name}: the format is not known")), "{error}");
+        let expected = format!("{name}: the format is not known; known are OBJ, PLY, STL, OFF");
+        assert_eq!(error.to_string(), expected);
     }
 }
 

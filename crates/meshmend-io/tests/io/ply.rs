@@ -178,6 +178,43 @@ fn edges_become_loose_edges() {
 }
 
 #[test]
+fn strips_and_edges_without_indices_are_skipped_and_counted() {
+    let header = format!("element vertex 1\n{XYZ}element tristrips 2\nproperty int id\n");
+    let file = read(ascii(&header, "0 0 0\n7\n8\n"));
+    let skipped = note(&file, NoteKind::SkippedElement);
+    assert_eq!((skipped.count, file.mesh.counts().faces), (2, 0));
+    assert!(skipped.message.contains("`tristrips` has no indices"), "{skipped}");
+    let header = format!("element edge 1\nproperty int vertex1\nelement vertex 1\n{XYZ}");
+    let file = read(ascii(&header, "0\n1 2 3\n"));
+    assert!(note(&file, NoteKind::SkippedElement).message.contains("`edge` has no `vertex1` and `vertex2`"));
+    assert_eq!((file.mesh.loose_edges().len(), file.mesh.positions()), (0, &[[1.0, 2.0, 3.0]][..]));
+}
+
+#[test]
+fn what_stands_beside_the_indices_of_strips_and_edges_is_passed_over() {
+    let header = format!(
+        "element vertex 3\n{XYZ}element tristrips 1\nproperty list uchar short flags\n{LIST}\
+         element edge 1\nproperty int vertex1\nproperty list uchar short flags\nproperty int vertex2\n"
+    );
+    let file = read(ascii(&header, "0 0 0\n1 0 0\n0 1 0\n2 9 9 3 0 1 2\n1 3 7 7 7 2\n"));
+    assert_eq!(faces(&file.mesh), [[0, 1, 2]]);
+    assert_eq!(file.mesh.loose_edges(), [[VertexId(1), VertexId(2)]]);
+}
+
+#[test]
+fn a_negative_index_is_refused_in_strips_too_unless_it_restarts_them() {
+    let header = format!("element vertex 1\n{XYZ}element tristrips 1\n{LIST}");
+    let wrong = refused(ascii(&header, "0 0 0\n4 0 0 -2 -3\n"));
+    assert_eq!(wrong, (Place::Line(11), "-2 is no index of a vertex".to_owned()));
+}
+
+#[test]
+fn no_face_needs_no_list_of_indices() {
+    let file = read(ascii(&format!("element vertex 1\n{XYZ}element face 0\n"), "1 2 3\n"));
+    assert_eq!(file.mesh.counts().faces, 0);
+}
+
+#[test]
 fn unknown_elements_are_skipped_and_counted() {
     for (count, row) in [(2, "1 2 7 8\n0.5 0\n"), (0, "")] {
         let header = format!(

@@ -71,6 +71,14 @@ fn a_count_that_does_not_fit_the_size_is_refused() {
     assert_eq!(refused([]).1, "the file is empty");
 }
 
+/// Only control characters where the count would be tell binary content.
+#[test]
+fn wrong_text_with_a_control_character_in_its_name_is_refused_as_text() {
+    let name = "a\u{1}".to_owned() + &"x".repeat(100);
+    let text = format!("solid {name}\n{}endsolid\n", FACET.replace("outer", "inner"));
+    assert_eq!(refused(text), (Place::Line(3), "`inner` where `outer` belongs".to_owned()));
+}
+
 #[test]
 fn a_few_surplus_bytes_are_noted_also_after_a_header_like_text() {
     for header in ["", "solid x"] {

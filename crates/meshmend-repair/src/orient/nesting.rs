@@ -3,21 +3,23 @@
 //! A patch lies inside another one when the other one winds round a point of it. *Source*: A. Van Oosterom,
 //! J. Strackee, *The solid angle of a plane triangle*, 1983.
 
-use meshmend_core::{Connectivity, FaceId, PolygonMesh};
+use meshmend_core::{Column, Connectivity, FaceId, PolygonMesh};
 
 use crate::vector::{Point, cross, dot, length, minus};
 
-/// For each closed patch whether it lies inside an odd number of the others.
+/// For each closed patch, its faces flipped where that is chosen, whether it lies inside an odd number of the others.
 ///
 /// *Cost*: for each pair of patches whose boxes allow it, the faces of the outer one.
 pub(super) fn are_hollows<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,
     patches: &[Vec<FaceId>],
+    is_flipped: &Column<FaceId, bool>,
 ) -> Vec<bool> {
     let shells: Vec<Shell> = patches.iter().map(|faces| Shell::of(kernel, mesh, faces)).collect();
     let lies_in = |inner: &Shell, outer: &Shell| {
-        outer.box_holds(inner.inside_point) && outer.winding(kernel, mesh, inner.inside_point).abs() > 0.5
+        outer.box_holds(inner.inside_point)
+            && outer.winding(kernel, mesh, is_flipped, inner.inside_point).abs() > 0.5
     };
     let depth = |place: usize| {
         let others = shells.iter().enumerate().filter(|(other, _)| *other != place);
@@ -57,13 +59,20 @@ impl<'a> Shell<'a> {
     }
 
     /// How often the shell winds round a point.
-    fn winding<K: Connectivity>(&self, kernel: &K, mesh: &PolygonMesh, point: Point) -> f64 {
+    fn winding<K: Connectivity>(
+        &self,
+        kernel: &K,
+        mesh: &PolygonMesh,
+        is_flipped: &Column<FaceId, bool>,
+        point: Point,
+    ) -> f64 {
         let mut angle = 0.0;
         for &face in self.faces {
             let mut corners = kernel.face_vertices(face).map(|v| minus(mesh.position(v), point));
             let (Some(first), Some(mut last)) = (corners.next(), corners.next()) else { continue };
+            let way = if is_flipped[face] { -1.0 } else { 1.0 };
             for next in corners {
-                angle += solid_angle(first, last, next);
+                angle += way * solid_angle(first, last, next);
                 last = next;
             }
         }

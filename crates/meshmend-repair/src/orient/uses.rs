@@ -5,7 +5,9 @@ use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId};
 use crate::StoredNames;
 use crate::matching::{Matching, StoredGroups};
 
-const NO_GROUP: u32 = u32::MAX;
+/// The group of all uses along edges with at most two. These are matched at once, so that no face which goes for its
+/// double in another patch has one of them; they are too many ever to be two.
+const NO_GROUP: u32 = 0;
 
 /// A pair of matched sides.
 pub(crate) type Pair = (CornerId, CornerId);
@@ -50,9 +52,9 @@ impl LiveUses {
         let mut live = LiveUses {
             edge_alive: Column::filled(0, kernel.edge_count()),
             group_of: Column::filled(NO_GROUP, kernel.corner_count()),
-            group_starts: vec![0],
+            group_starts: vec![0, 0],
             group_uses: Vec::new(),
-            group_alive: Vec::new(),
+            group_alive: vec![u32::MAX],
             matching: Matching::free(kernel.corner_count()),
             edges_with_two: Vec::new(),
             groups_with_two: Vec::new(),
@@ -97,9 +99,6 @@ impl LiveUses {
                 self.edges_with_two.push(edge);
             }
             let group = self.group_of[corner];
-            if group == NO_GROUP {
-                continue;
-            }
             self.group_alive[group as usize] -= 1;
             if self.group_alive[group as usize] == 2 {
                 self.groups_with_two.push(group);
@@ -142,5 +141,34 @@ fn the_two(mut items: impl Iterator<Item = CornerId>) -> Option<Pair> {
     match (items.next(), items.next(), items.next()) {
         (Some(one), Some(other), None) => Some((one, other)),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use meshmend_testkit::Soup;
+
+    use crate::Pipeline;
+
+    /// Three fans at one place, of which two are found to be doubles only once they are oriented: at their rims three
+    /// uses become one at a stroke, which is no pair.
+    #[test]
+    fn uses_that_go_together_leave_no_pair() {
+        let rim = [[3, 0], [3, 1], [2, 2], [1, 3], [0, 3], [-1, 3]];
+        let points = std::iter::once([0, 0]).chain(rim).map(|[x, y]| [f64::from(x), f64::from(y), 0.0]);
+        // No fan has all its faces in the others before they are oriented.
+        let fan = |first: u32, flipped: &[u32]| {
+            let face = |i: u32| if flipped.contains(&i) { [0, i + 1, i] } else { [0, i, i + 1] };
+            (1..=5).map(|i| face(i).map(|v| first + v).to_vec()).collect::<Vec<_>>()
+        };
+        let positions: Vec<[f64; 3]> = points.collect();
+        let soup = Soup {
+            positions: positions.repeat(3),
+            faces: [fan(0, &[]), fan(7, &[2, 3]), fan(14, &[2, 4])].concat(),
+        };
+        let repaired = Pipeline::default().run(&soup.mesh()).unwrap();
+        assert_eq!(repaired.mesh.faces(), &Soup::generic(7, fan(0, &[])).table());
+        let removed: Vec<u32> = repaired.removed_faces.iter().map(|removed| removed.face.0).collect();
+        assert_eq!(removed, (5..15).collect::<Vec<_>>());
     }
 }

@@ -28,13 +28,25 @@ pub(super) fn corner_classes<K: Connectivity>(
 ) -> UnionFind<u32> {
     let mut classes = UnionFind::new(kernel.corner_count());
     for (one, other) in matching.pairs().chain(joined.iter().copied()) {
-        let (after_one, after_other) = (kernel.next_corner(one), kernel.next_corner(other));
-        let (here, there) =
-            if run_the_same_way(kernel, one, other) { (other, after_other) } else { (after_other, other) };
-        classes.union(one.0, here.0);
-        classes.union(after_one.0, there.0);
+        for (here, there) in corners_that_meet(kernel, one, other) {
+            classes.union(here.0, there.0);
+        }
     }
     classes
+}
+
+/// The corners at each end of an edge that are one vertex when two of its sides are joined.
+pub(super) fn corners_that_meet<K: Connectivity>(
+    kernel: &K,
+    one: CornerId,
+    other: CornerId,
+) -> [(CornerId, CornerId); 2] {
+    let (after_one, after_other) = (kernel.next_corner(one), kernel.next_corner(other));
+    if run_the_same_way(kernel, one, other) {
+        [(one, other), (after_one, after_other)]
+    } else {
+        [(one, after_other), (after_one, other)]
+    }
 }
 
 impl NewVertices {

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeSet;
 
-use meshmend_core::{Blend, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
+use meshmend_core::{Blend, Complex, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
 use smallvec::SmallVec;
 
 use super::classes::NewVertices;
@@ -38,6 +38,7 @@ pub(super) fn subdivide<K: Connectivity>(
     if inserted.edges.is_empty() {
         return inserted;
     }
+    let complex = mesh.complex();
     // A vertex in no face is no part of the result: compact removes it, and it must not decide where others go.
     let parts = names.present.iter().zip(&names.positions).filter(|(v, _)| kernel.is_referenced(**v));
     let mut occupied: BTreeSet<[u64; 3]> = parts.map(|(_, &position)| key(position)).collect();
@@ -50,9 +51,9 @@ pub(super) fn subdivide<K: Connectivity>(
                 continue;
             }
             let place = inserted.vertices.len() as u32;
-            inserted.vertices.push(VertexDraft { position, place: blend(kernel, corner, ratio) });
+            inserted.vertices.push(VertexDraft { position, place: blend(kernel, complex, corner, ratio) });
             for side in [Some(corner), mate].into_iter().flatten() {
-                inserted.sides.push((side, place, blend(kernel, side, ratio)));
+                inserted.sides.push((side, place, blend(kernel, complex, side, ratio)));
             }
         }
     }
@@ -94,9 +95,15 @@ fn key(position: [f64; 3]) -> [u64; 3] {
     position.map(|x| (x + 0.0).to_bits())
 }
 
-/// The place of a point between an edge's lower and higher vertex, as seen along one of its sides.
-fn blend<K: Connectivity>(kernel: &K, side: CornerId, (numerator, denominator): (u32, u32)) -> Blend {
-    let next = kernel.next_corner(side);
-    let (from, to) = if kernel.is_forward(side) { (side, next) } else { (next, side) };
+/// The place of a point between an edge's lower and higher vertex, as seen along one of its sides, in terms of the
+/// mesh's own corners.
+fn blend<K: Connectivity>(
+    kernel: &K,
+    complex: &Complex,
+    side: CornerId,
+    (numerator, denominator): (u32, u32),
+) -> Blend {
+    let ends = [side, kernel.next_corner(side)].map(|corner| complex.stored_corner(corner));
+    let [from, to] = if kernel.is_forward(side) { ends } else { [ends[1], ends[0]] };
     Blend::Along { from, to, numerator, denominator }
 }

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::Soup;
+use crate::damage::Way;
 
 /// One use of an edge by a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -83,15 +84,22 @@ impl Cells {
     pub(super) fn duplicates(&self) -> (Vec<usize>, Vec<usize>) {
         let (mut same, mut opposite) = (Vec::new(), Vec::new());
         for f in self.proper() {
-            let earlier = || (0..f).filter(|&g| !self.faces[g].is_empty());
-            let reversed: Vec<u32> = self.faces[f].iter().rev().copied().collect();
-            if earlier().any(|g| is_rotation(&self.faces[g], &self.faces[f])) {
+            if (0..f).any(|g| self.are_alike(g, f, Way::Same)) {
                 same.push(f);
-            } else if earlier().any(|g| is_rotation(&self.faces[g], &reversed)) {
+            } else if (0..f).any(|g| self.are_alike(g, f, Way::Opposite)) {
                 opposite.push(f);
             }
         }
         (same, opposite)
+    }
+
+    /// Whether two faces that are not degenerate have one cycle, run the same way or the opposite one.
+    pub(super) fn are_alike(&self, one: usize, other: usize, way: Way) -> bool {
+        let (word, mut turned) = (&self.faces[one], self.faces[other].clone());
+        if way == Way::Opposite {
+            turned.reverse();
+        }
+        !word.is_empty() && is_rotation(word, &turned)
     }
 }
 

@@ -1,7 +1,8 @@
 //! The definitions of sections 1 to 3 of the semantics, transcribed: from plain face lists, with sets, in quadratic
 //! time and worse, and with nothing in common with the code that it judges.
 //!
-//! [`report`] gives the counts, with the names that reports use; [`findings`] gives the elements behind them.
+//! [`report`] gives the counts, with the names that reports use; [`findings`] gives the elements behind them, and
+//! [`defects()`] what of that is wrong, in the library's vocabulary.
 //! What the page leaves open is settled here so:
 //!
 //! * A *same* duplicate is a face whose directed cycle an earlier face has; an *opposite* one is a face whose cycle
@@ -14,6 +15,7 @@
 mod betti;
 mod cells;
 mod components;
+mod defects;
 mod patches;
 mod vertices;
 
@@ -24,6 +26,7 @@ use serde::Serialize;
 use crate::Soup;
 use cells::Cells;
 pub use components::{ComponentRow, surface_name};
+pub use defects::{defects, mendable_clashes};
 pub use patches::Witness;
 pub use vertices::VertexKind;
 

@@ -1,3 +1,4 @@
+use meshmend_core::{Defect, DefectKind, VertexId};
 use proptest::prelude::*;
 
 use super::*;
@@ -254,4 +255,73 @@ fn the_report_has_the_names_of_the_semantics() {
     assert_eq!(json["betti"], serde_json::json!({"z2": [1, 0, 0], "q": [1, 0, 0]}));
     assert_eq!(json["genus"], serde_json::Value::Null);
     assert_eq!(json["euler_characteristic"], 1);
+}
+
+#[test]
+fn each_defect_is_named_with_its_place() {
+    let faces: [&[u32]; 10] = [
+        &[0, 1, 2],
+        &[1, 2, 0],
+        &[0, 2, 1],
+        &[0, 1, 3],
+        &[4, 5, 4],
+        &[4, 5, 5, 6],
+        &[3, 4, 1, 4, 7],
+        &[8, 9, 10],
+        &[8, 9, 11],
+        &[10, 12, 13],
+    ];
+    let mut soup = Soup::generic(15, faces);
+    (soup.positions[9], soup.positions[11]) = ([f64::NAN; 3], soup.positions[0]);
+    let mesh = soup.mesh().with_loose(vec![[VertexId(0), VertexId(14)]], vec![VertexId(14)]).unwrap();
+    let found = defects(&mesh);
+    let texts = |kind: DefectKind| -> Vec<String> {
+        found.iter().filter(|defect| defect.kind() == kind).map(Defect::to_string).collect()
+    };
+    assert_eq!(texts(DefectKind::DegenerateFace), ["f4 has fewer than three different vertices"]);
+    assert_eq!(texts(DefectKind::NonSimpleFace), ["f6 comes back to v4"]);
+    assert_eq!(texts(DefectKind::RepeatedCorner), ["f5 repeats v5", "f6 repeats v4"]);
+    assert_eq!(texts(DefectKind::DuplicateFace), ["f1 is f0 again"]);
+    assert_eq!(texts(DefectKind::OppositeFace), ["f2 is f0 the other way round"]);
+    assert_eq!(texts(DefectKind::PolygonFace), ["f6 has 5 corners"]);
+    assert_eq!(
+        texts(DefectKind::NonFiniteFace),
+        ["f7 uses v9, which is not finite", "f8 uses v9, which is not finite"]
+    );
+    assert_eq!(texts(DefectKind::NonManifoldEdge)[0], "e0 v0-v1 has 4 sides");
+    assert_eq!(
+        texts(DefectKind::InconsistentEdge).last().unwrap(),
+        "e12 v8-v9 has both sides running the same way"
+    );
+    assert_eq!(texts(DefectKind::PinchedVertex).last().unwrap(), "v10 joins 2 umbrellas, all open");
+    assert_eq!(texts(DefectKind::SingularVertex).len(), 3);
+    assert_eq!(texts(DefectKind::NonFiniteVertex), ["v9 is not finite"]);
+    assert_eq!(texts(DefectKind::UnreferencedVertex), ["v14 is in no face"]);
+    assert_eq!(texts(DefectKind::CoincidentVertex), ["v11 is where v0 is"]);
+    assert_eq!(texts(DefectKind::LooseEdge), ["loose edge 0 joins v0-v14"]);
+    assert_eq!(texts(DefectKind::LoosePoint), ["loose point 0 at v14"]);
+}
+
+proptest! {
+    #[test]
+    fn defects_are_as_many_as_the_report_says(soup in any_table(12)) {
+        let (found, report) = (defects(&soup.mesh()), report(&soup));
+        let count = |kind: DefectKind| found.iter().filter(|defect| defect.kind() == kind).count();
+        prop_assert!(found.is_sorted_by_key(Defect::kind));
+        prop_assert_eq!(count(DefectKind::DegenerateFace), report.degenerate_faces);
+        prop_assert_eq!(count(DefectKind::NonSimpleFace), report.non_simple_faces);
+        prop_assert_eq!(count(DefectKind::DuplicateFace), report.duplicate_faces.same);
+        prop_assert_eq!(count(DefectKind::OppositeFace), report.duplicate_faces.opposite);
+        prop_assert_eq!(count(DefectKind::BoundaryEdge), report.boundary_edges);
+        prop_assert_eq!(count(DefectKind::NonManifoldEdge), report.non_manifold_edges);
+        prop_assert_eq!(count(DefectKind::InconsistentEdge), report.inconsistent_edges);
+        prop_assert_eq!(count(DefectKind::PinchedVertex), report.non_manifold_vertices.pinched);
+        prop_assert_eq!(count(DefectKind::SingularVertex), report.non_manifold_vertices.singular);
+        prop_assert_eq!(count(DefectKind::NonFiniteVertex), report.non_finite_vertices);
+        prop_assert_eq!(count(DefectKind::UnreferencedVertex), report.unreferenced_vertices);
+        prop_assert_eq!(count(DefectKind::NonOrientablePatch) == 0, report.orientable);
+        let mendable = mendable_clashes(&soup.mesh()).len();
+        prop_assert!(mendable <= report.inconsistent_edges);
+        prop_assert!(!report.orientable || mendable == report.inconsistent_edges);
+    }
 }

@@ -81,11 +81,6 @@ impl CheckDocument {
         CheckDocument { file: Some(name), format, notes: file.notes.clone(), ..self }
     }
 
-    /// Whether nothing is wrong: no defect of any kind but notes.
-    pub fn is_sound(&self) -> bool {
-        self.defects.iter().all(|group| group.severity == Severity::Note)
-    }
-
     /// The defects of a kind.
     pub fn group(&self, kind: DefectKind) -> Option<&DefectGroup> {
         self.defects.iter().find(|group| group.kind == kind)

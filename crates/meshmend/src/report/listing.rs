@@ -98,3 +98,55 @@ fn vertices(defect: &Defect, mesh: &PolygonMesh) -> Vec<VertexId> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use meshmend_core::{DefectKind, EdgeId, FaceId, FaceTable, PolygonMesh};
+
+    use super::*;
+
+    #[test]
+    fn every_defect_is_where_its_vertices_are() {
+        let positions: Vec<[f64; 3]> = (0..6).map(|i| [f64::from(i), 0.0, 0.0]).collect();
+        let corners = [0, 1, 2, 3, 4, 5].map(VertexId).to_vec();
+        let mesh = PolygonMesh::new(positions, FaceTable::triangles(6, corners).unwrap()).unwrap();
+        let (face, edge, original, vertex) = (FaceId(1), EdgeId(0), VertexId(0), VertexId(4));
+        let (whole_face, ends) = (vec![3, 4, 5], [VertexId(1), VertexId(2)]);
+        let pinched = Defect::PinchedVertex { vertex, umbrellas: 2, boundary_only: true };
+        let strip = Defect::NonOrientablePatch { faces: vec![FaceId(0), face], edges: vec![edge] };
+        let cases = [
+            (Defect::DegenerateFace { face }, whole_face.clone()),
+            (Defect::NonSimpleFace { face, vertex }, whole_face.clone()),
+            (Defect::RepeatedCorner { face, vertex }, whole_face.clone()),
+            (Defect::DuplicateFace { face, original: FaceId(0) }, whole_face.clone()),
+            (Defect::OppositeFace { face, original: FaceId(0) }, whole_face.clone()),
+            (Defect::PolygonFace { face, corners: 4 }, whole_face.clone()),
+            (Defect::NonFiniteFace { face, vertex }, whole_face),
+            (Defect::BoundaryEdge { edge, ends }, vec![1, 2]),
+            (Defect::NonManifoldEdge { edge, ends, degree: 3 }, vec![1, 2]),
+            (Defect::InconsistentEdge { edge, ends }, vec![1, 2]),
+            (Defect::SeamEdge { edge, ends }, vec![1, 2]),
+            (Defect::CoincidentEdges { ends }, vec![1, 2]),
+            (Defect::LooseEdge { index: 0, ends }, vec![1, 2]),
+            (Defect::CoincidentVertex { vertex, original }, vec![4, 0]),
+            (pinched, vec![4]),
+            (Defect::SingularVertex { vertex }, vec![4]),
+            (Defect::NonFiniteVertex { vertex }, vec![4]),
+            (Defect::UnreferencedVertex { vertex }, vec![4]),
+            (Defect::LoosePoint { index: 0, vertex }, vec![4]),
+            (strip, vec![0, 3]),
+        ];
+        let kinds: BTreeSet<DefectKind> = cases.iter().map(|(defect, _)| defect.kind()).collect();
+        assert_eq!(kinds.len(), DefectKind::ALL.len());
+        for (defect, expected) in cases {
+            let placed = PlacedDefect::new(defect, &mesh);
+            assert_eq!(placed.vertices.iter().map(|v| v.0).collect::<Vec<_>>(), expected, "{placed:?}");
+            let at: Vec<[f64; 3]> = expected.iter().map(|&v| [f64::from(v), 0.0, 0.0]).collect();
+            assert_eq!(placed.positions, at);
+            let crosses_edges = placed.defect.kind() == DefectKind::NonOrientablePatch;
+            assert_eq!(placed.edge_ends.len(), usize::from(crosses_edges));
+        }
+    }
+}

@@ -16,16 +16,26 @@
 //! ```
 
 mod check_document;
+mod incremental_document;
 mod listing;
+mod loops_document;
 mod repair_document;
+#[cfg(feature = "flatten")]
+mod unfold_document;
 
 pub use check_document::{CheckDocument, DefectGroup};
+pub use incremental_document::{IncrementalDocument, RunningStep};
 pub use listing::{Listing, MOST_POSITIONS, PlacedDefect};
+pub use loops_document::{
+    ComponentLoops, CutComponent, CutDocument, LoopDocument, LoopsDocument, MOST_PATH_VERTICES, SeamDocument,
+};
 pub use repair_document::{
     BeforeAndAfter, CreatedVertex, FigureChanges, NamedFace, PassDocument, ProvenanceDocument, RemovedFaces,
     RepairDocument,
 };
 use serde::Serialize;
+#[cfg(feature = "flatten")]
+pub use unfold_document::UnfoldDocument;
 
 /// The number of the form that documents have; it changes when a key changes its meaning or goes.
 pub const SCHEMA: u32 = 1;

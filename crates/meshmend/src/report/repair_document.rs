@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use meshmend_core::{Blend, Defect, DefectKind, FaceId, PolygonMesh, Provenance, Sources, VertexId};
 use meshmend_io::{Loss, Note};
-use meshmend_repair::{Figures, PassKind, PassRecord, RemovedFace, Repaired};
+use meshmend_repair::{Figures, PassKind, PassRecord, RemovedFace, Repaired, SeamFigures};
 use serde::Serialize;
 
 use super::{CheckDocument, Listing, SCHEMA};
@@ -64,6 +64,8 @@ pub struct PassDocument {
     pub left: BTreeMap<DefectKind, Listing<Defect>>,
     /// How the figures changed, if they were taken.
     pub delta: Option<FigureChanges>,
+    /// What cutting non-orientable patches open took, where it did.
+    pub seam: Option<SeamFigures>,
 }
 
 /// How much a pass added to the three figures by which its effect is told.
@@ -155,6 +157,7 @@ impl PassDocument {
             mended: by_kind(record.mended.iter(), limit),
             left: by_kind(record.left.iter().cloned(), limit),
             delta: record.figures.map(|[before, after]| FigureChanges::between(before, after)),
+            seam: record.seam,
         }
     }
 }

@@ -1,0 +1,69 @@
+//! `meshmend incremental`: the Betti numbers as a mesh is put together cell by cell.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use meshmend::View;
+use meshmend::io::replace_file;
+use meshmend::report::IncrementalDocument;
+
+use super::check::json_line;
+use super::{name, read};
+use crate::console::Console;
+use crate::failure::{Failure, Status};
+use crate::render;
+use crate::words::{self, Welding};
+
+/// Tell what each vertex, edge and face changes when they are added one after another
+///
+/// Face by face in the order of the file, each after those of its vertices and edges that are not there yet. A vertex
+/// starts a component; an edge joins two components or starts a loop; a face fills a loop or encloses a void. The
+/// numbers are the Betti numbers mod 2 of what is there, and in the end those that `check` gives.
+#[derive(Debug, Args)]
+pub(crate) struct Incremental {
+    /// The mesh file: OBJ, PLY, STL or OFF
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Take the mesh as welded: none, exact, a length, or a percentage of the bounding box's diagonal
+    #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
+    weld: Option<Welding>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+    /// Also draw the numbers over the steps
+    #[arg(long, value_name = "OUT.svg")]
+    plot: Option<PathBuf>,
+    /// How many steps are listed at most, also in JSON; counts are always whole
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    limit: usize,
+}
+
+impl Incremental {
+    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+        let progress = console.progress(2);
+        progress.step(&format!("read {}", self.file.display()));
+        let file = read(&self.file)?;
+        progress.step("add cells");
+        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
+        let built = IncrementalDocument::new(&file.mesh, view, self.limit);
+        let (document, built) = built.map_err(|error| Failure::of_pass(&name(&self.file), &error))?;
+        let document = document.of_file(name(&self.file), &file);
+        if let Some(path) = &self.plot {
+            write_text(path, &render::step_plot(&name(&self.file), &built))?;
+        }
+        drop(progress);
+        let text =
+            if self.json { json_line(&document)? } else { render::incremental(&document, console.style()) };
+        console.write(&text)?;
+        Ok(Status::Done)
+    }
+}
+
+/// Writes a text to a file, whole or not at all.
+fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    let written: std::io::Result<()> = replace_file(path, |out| {
+        out.write_all(text.as_bytes())?;
+        out.flush()
+    });
+    written.map_err(|error| Failure::unwritable(&name(path), error))
+}

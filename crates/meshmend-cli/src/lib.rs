@@ -1,0 +1,102 @@
+//! The command line of meshmend, as a function: [`run`] does what a list of arguments says, writes to the streams that
+//! it is given, and says how it ended. The program `meshmend` hands it the process's own.
+//!
+//! A command is one file in `commands` with its options and its work; `render` alone makes text for people; the
+//! rest is what commands share.
+
+mod commands;
+mod console;
+mod failure;
+mod policies;
+mod progress;
+mod render;
+mod words;
+
+use std::ffi::OsString;
+
+use clap::Parser;
+
+pub use crate::console::Console;
+pub use crate::failure::Status;
+
+use crate::commands::Command;
+use crate::failure::Failure;
+
+const EXIT_STATUS: &str = "\
+Exit status:
+  0  done; also when a repair left what it names, such as a non-orientable patch
+  1  check: defects were found, or what --fail-on names
+  2  the command line or a plan is wrong, or the output's format can't be written
+  3  an input can't be read, or its format is not known
+  4  an output can't be written
+  5  refused: a policy says `fail`, or the kernel can't hold the mesh";
+
+/// Finds, explains and mends what is wrong with polygon meshes (OBJ, PLY, STL, OFF)
+#[derive(Debug, Parser)]
+#[command(name = "meshmend", version, after_help = EXIT_STATUS)]
+struct CommandLine {
+    /// How many threads may work; by default as many as there are processors
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// Does what a command line says; the first argument is the name of the program. What went wrong is told on the
+/// console's stream for errors.
+///
+/// ```
+/// let (mut out, mut errors) = (Vec::new(), Vec::new());
+/// let mut console = meshmend_cli::Console::of(&mut out, &mut errors);
+/// let status = meshmend_cli::run(["meshmend", "explain", "weld"], &mut console);
+/// drop(console);
+/// assert_eq!(status, meshmend_cli::Status::Done);
+/// assert!(out.starts_with(b"weld") && errors.is_empty());
+/// ```
+pub fn run(
+    arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+    console: &mut Console<'_>,
+) -> Status {
+    let outcome = match CommandLine::try_parse_from(arguments) {
+        Ok(line) => with_threads(line.threads, || line.command.run(console)),
+        Err(answer) => told(&answer, console),
+    };
+    outcome.unwrap_or_else(|failure| {
+        console.complain(&failure);
+        failure.status
+    })
+}
+
+/// What [`run`] takes, for those who want to go through it.
+pub fn description() -> clap::Command {
+    <CommandLine as clap::CommandFactory>::command()
+}
+
+/// Tells what the parser answers in place of a command line: help, the version, or what is wrong.
+fn told(answer: &clap::Error, console: &mut Console<'_>) -> Result<Status, Failure> {
+    let text = answer.render();
+    if answer.use_stderr() {
+        console.write_error(&text);
+        return Ok(Status::Usage);
+    }
+    console.write_styled(&text)?;
+    Ok(Status::Done)
+}
+
+/// Does some work on so many threads.
+fn with_threads(
+    threads: Option<u16>,
+    work: impl FnOnce() -> Result<Status, Failure> + Send,
+) -> Result<Status, Failure> {
+    let Some(threads) = threads else { return work() };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build();
+    pool.map_err(|error| Failure::usage(format!("--threads {threads}: {error}")))?.install(work)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_command_line_is_well_formed() {
+        super::description().debug_assert();
+    }
+}

@@ -1,0 +1,32 @@
+//! Springs whose rest is the discrete harmonic map: as strong as the cotangents of the two angles across the edge.
+//!
+//! *Source*: U. Pinkall, K. Polthier, *Computing discrete minimal surfaces and their conjugates*, 1993.
+
+use crate::FlattenError;
+use crate::discs::{Discs, norm};
+use crate::springs::Springs;
+
+/// Half the sum of the cotangents across each spring.
+pub(crate) fn cotangents(discs: &Discs, springs: &Springs) -> Result<Vec<f64>, FlattenError> {
+    let mut strengths = vec![0.0; springs.ends.len()];
+    for (triangle, &face) in discs.triangles.iter().zip(&discs.face_of) {
+        for corner in 0..3 {
+            let [apex, a, b] = [0, 1, 2].map(|i| triangle[(corner + i) % 3]);
+            let cotangent = cotangent(discs.vector(apex, a), discs.vector(apex, b));
+            if !cotangent.is_finite() {
+                return Err(FlattenError::NoCotangent { face });
+            }
+            if let Some(spring) = springs.between(a, b) {
+                strengths[spring] += cotangent / 2.0;
+            }
+        }
+    }
+    Ok(strengths)
+}
+
+/// That of the angle between two vectors; not finite where there is no angle.
+fn cotangent(p: [f64; 3], q: [f64; 3]) -> f64 {
+    let cross = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+    let dot = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    dot / norm(cross)
+}

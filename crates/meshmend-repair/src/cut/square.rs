@@ -1,0 +1,225 @@
+//! Opens a torus into a square: along two closed paths that meet in one vertex.
+//!
+//! ```text
+//!     x ── b ── x      the first path, a, goes once round the torus; cut along it the torus is a tube with two copies of
+//!     │         │      each of its vertices, and the second path, b, is the shortest way through the tube from one copy
+//!     a         a      of a vertex to the other. Both sides of a cut are as long, edge by edge.
+//!     │         │
+//!     x ── b ── x
+//! ```
+//!
+//! Neither path has a chord, an edge between two of its vertices that do not follow one another: in the square it would
+//! cut off a piece that lies on one side. The second is a shortest one. The first is a shortest one through some vertex,
+//! and is sought again from the vertex opposite, until that makes it no shorter: a chord has its ends at equal distances,
+//! or nearly, from where the path begins, so the vertex opposite would have a shorter one.
+
+use std::collections::VecDeque;
+
+use meshmend_core::{
+    Column, Connectivity, EdgeId, EdgeTable, EdgeUse, Id, PolygonMesh, Provenance, VertexId,
+};
+use meshmend_topology::{CoTree, GeneratorOptions, Roots, Surface, generators};
+
+use super::{CutError, CutOpen, CutSeam, cut_open};
+
+/// A torus that was cut open into a square.
+#[must_use]
+#[derive(Clone, Debug)]
+pub struct SquareCut {
+    /// The mesh with its cuts open: a disc.
+    pub mesh: PolygonMesh,
+    /// Where each of its elements came from: faces and corners are the same as before.
+    pub provenance: Provenance,
+    /// Which sides of the boundary belong together, by ascending edge.
+    pub seams: Vec<CutSeam>,
+    /// What has become of the vertex in which the two paths meet, ascending.
+    pub corners: [VertexId; 4],
+}
+
+/// The second path is sought from so many vertices of the first, spread evenly.
+const MOST_STARTS: usize = 64;
+
+/// Cuts a torus open along two closed paths that meet in one vertex; nothing for a mesh that is no single closed torus,
+/// or is too coarse for two such paths.
+///
+/// ```
+/// # use meshmend_core::{FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_repair::cut_to_square;
+/// // The torus with seven vertices.
+/// let corners = (0..7).flat_map(|i| [i, (i + 1) % 7, (i + 3) % 7, i, (i + 3) % 7, (i + 2) % 7]);
+/// let faces = FaceTable::triangles(7, corners.map(VertexId).collect())?;
+/// let mesh = PolygonMesh::new(vec![[0.0; 3]; 7], faces)?;
+/// let square = cut_to_square(&mesh)?.ok_or("no square")?;
+/// assert!(square.corners.map(|corner| square.provenance.vertices.of(corner)).iter().all(|&v| v == Some(VertexId(0))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// When the paths can't be found, which is a mistake of this program.
+///
+/// *Cost*: that of a few runs of [`generators`](meshmend_topology::generators()), and of up to 64 searches of the mesh.
+pub fn cut_to_square(mesh: &PolygonMesh) -> Result<Option<SquareCut>, CutError> {
+    let Some(first) = way_round(mesh)? else { return Ok(None) };
+    let table = mesh.complex().edges();
+    let mut edges = path_edges(table, first.iter().copied().chain(first.first().copied()));
+    let tube = cut_open(mesh, &edges)?;
+    let Some(second) = way_through(&tube, &first) else { return Ok(None) };
+    let (meeting, second) = (second[0], second.iter().filter_map(|&v| tube.provenance.vertices.of(v)));
+    edges.extend(path_edges(table, second));
+    let CutOpen { mesh, provenance, seams, .. } = cut_open(mesh, &edges)?;
+    let copies: Vec<VertexId> =
+        provenance.vertices.iter().filter(|&(_, old)| old == Some(meeting)).map(|(new, _)| new).collect();
+    let corners = copies.try_into().ok();
+    Ok(corners.map(|corners| SquareCut { mesh, provenance, seams, corners }))
+}
+
+/// A closed path round a torus without a chord; nothing for any other mesh.
+fn way_round(mesh: &PolygonMesh) -> Result<Option<Vec<VertexId>>, CutError> {
+    let kernel = EdgeUse::assemble(mesh.complex());
+    let (mut best, mut roots): (Option<Vec<VertexId>>, Roots) = (None, Roots::Lowest);
+    loop {
+        let options = GeneratorOptions { lengths: None, co_tree: CoTree::Greedy, roots };
+        let found = generators(&kernel, &options)?;
+        let [component] = found.components() else { return Ok(None) };
+        let is_torus = component.system.is_some_and(|system| system.surface == TORUS);
+        let shortest = component.generators.iter().min_by_key(|generator| generator.vertex_count);
+        let Some(shortest) = shortest.filter(|_| is_torus) else { return Ok(None) };
+        if best.as_ref().is_some_and(|best| best.len() <= shortest.vertex_count) {
+            return Ok(best);
+        }
+        let path = found.vertices(shortest);
+        roots = Roots::At(path[path.len() / 2]);
+        best = Some(path);
+    }
+}
+
+const TORUS: Surface = Surface::Orientable { genus: 1, holes: 0 };
+
+/// The edges between the vertices of a path, in its order.
+fn path_edges(table: &EdgeTable, path: impl Iterator<Item = VertexId> + Clone) -> Vec<EdgeId> {
+    let pairs = path.clone().zip(path.skip(1)).map(|(a, b)| [a.min(b), a.max(b)]);
+    pairs.filter_map(|ends| table.all_ends().binary_search(&ends).ok().map(EdgeId::new)).collect()
+}
+
+/// The shortest way, by edges, from a vertex of the loop to its copy that touches the tube's rims nowhere else; of equal
+/// ones the first.
+fn way_through(tube: &CutOpen, first: &[VertexId]) -> Option<Vec<VertexId>> {
+    let kernel = EdgeUse::assemble(tube.mesh.complex());
+    let before = tube.provenance.before.vertices;
+    let mut is_rim = Column::filled(false, kernel.vertex_count());
+    let mut copy = Column::filled(None, kernel.vertex_count());
+    first.iter().for_each(|&vertex| is_rim[vertex] = true);
+    for new in (before..kernel.vertex_count()).map(VertexId::new) {
+        is_rim[new] = true;
+        if let Some(old) = tube.provenance.vertices.of(new) {
+            copy[old] = Some(new);
+        }
+    }
+    let stride = first.len().div_ceil(MOST_STARTS).max(1);
+    let ends = first.iter().step_by(stride).filter_map(|&from| Some((from, copy[from]?)));
+    let mut best: Option<Vec<VertexId>> = None;
+    for (from, to) in ends {
+        let way = shortest_way(&kernel, &is_rim, from, to);
+        let is_shorter = |way: &Vec<VertexId>| best.as_ref().is_none_or(|best| way.len() < best.len());
+        if let Some(way) = way.filter(is_shorter) {
+            best = Some(way);
+        }
+    }
+    best
+}
+
+/// Breadth first, neighbours in corner order.
+fn shortest_way(
+    kernel: &EdgeUse,
+    is_rim: &Column<VertexId, bool>,
+    from: VertexId,
+    to: VertexId,
+) -> Option<Vec<VertexId>> {
+    let mut entry: Column<VertexId, Option<VertexId>> = Column::filled(None, kernel.vertex_count());
+    let mut open = VecDeque::from([from]);
+    while let Some(vertex) = open.pop_front() {
+        if vertex == to {
+            let mut way: Vec<VertexId> =
+                std::iter::successors(Some(to), |&vertex| entry[vertex].filter(|_| vertex != from)).collect();
+            way.reverse();
+            return Some(way);
+        }
+        let neighbours = kernel.vertex_corners(vertex).flat_map(|corner| {
+            [kernel.corner_target(corner), kernel.corner_vertex(kernel.prev_corner(corner))]
+        });
+        for next in neighbours {
+            if next != from && entry[next].is_none() && (next == to || !is_rim[next]) {
+                entry[next] = Some(vertex);
+                open.push_back(next);
+            }
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use meshmend_core::PolygonMesh;
+    use meshmend_testkit::shapes::{
+        Closed, Shape, Tiles, klein_bottle, seven_vertex_torus, surface, tetrahedron, torus,
+    };
+    use meshmend_topology::boundary_loops;
+
+    use super::*;
+
+    fn tori() -> Vec<Shape> {
+        let mut shapes = vec![seven_vertex_torus(), surface(Closed::Handles(1), 0, 1)];
+        for (n, m) in [(3, 3), (3, 5), (7, 4), (8, 8), (12, 11)] {
+            shapes.extend([torus(n, m, Tiles::Quads), torus(n, m, Tiles::Triangles)]);
+        }
+        shapes
+    }
+
+    #[test]
+    fn a_torus_becomes_a_disc_with_four_corners_and_two_pairs_of_sides() {
+        for shape in tori() {
+            let mesh = shape.soup.mesh();
+            let cut = cut_to_square(&mesh).unwrap().unwrap();
+            let rims = boundary_loops(&EdgeUse::assemble(cut.mesh.complex()));
+            let [rim] = rims.iter().collect::<Vec<_>>()[..] else { panic!("{}", shape.name) };
+            assert_eq!(rim.len(), 2 * cut.seams.len(), "{}", shape.name);
+            let places: Vec<usize> =
+                (0..rim.len()).filter(|&place| cut.corners.contains(&rim[place])).collect();
+            assert_eq!(places.len(), 4, "{}", shape.name);
+            // From corner to corner, each side runs over the vertices of the opposite one backwards.
+            let old = |place: usize| cut.provenance.vertices.of(rim[place % rim.len()]).unwrap();
+            let side = |i: usize| {
+                let end = if i == 3 { places[0] + rim.len() } else { places[i + 1] };
+                (places[i]..=end).map(old).collect::<Vec<_>>()
+            };
+            for i in 0..4 {
+                let end = if i == 3 { places[0] + rim.len() } else { places[i + 1] };
+                let side: Vec<VertexId> = (places[i]..=end).map(|place| rim[place % rim.len()]).collect();
+                assert_eq!(chords(&cut.mesh, &side), 0, "{}", shape.name);
+            }
+            for i in 0..2 {
+                let mut opposite = side(i + 2);
+                opposite.reverse();
+                assert_eq!(side(i), opposite, "{}", shape.name);
+            }
+        }
+    }
+
+    /// How many edges join two vertices of a path that do not follow one another.
+    fn chords(mesh: &PolygonMesh, path: &[VertexId]) -> usize {
+        let place = |vertex: &VertexId| path.iter().position(|on| on == vertex);
+        let is_chord = |ends: &&[VertexId; 2]| match ends.each_ref().map(place) {
+            [Some(one), Some(other)] => one.abs_diff(other) > 1,
+            _ => false,
+        };
+        mesh.complex().edges().all_ends().iter().filter(is_chord).count()
+    }
+
+    #[test]
+    fn what_is_no_closed_torus_has_no_square() {
+        let shapes = [tetrahedron(), klein_bottle(4, 4, Tiles::Quads), surface(Closed::Handles(1), 1, 0)];
+        for shape in shapes {
+            assert!(cut_to_square(&shape.soup.mesh()).unwrap().is_none(), "{}", shape.name);
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Opens the seams of patches that have no consistent side, and says what that added.
+
+use meshmend_core::{Connectivity, CornerId, Defect, PolygonMesh};
+use petgraph::unionfind::UnionFind;
+use serde::Serialize;
+
+use super::classes::corners_that_meet;
+use super::sheets::PatchSides;
+use crate::matching::{Matching, run_the_same_way};
+
+/// What cutting non-orientable patches open along their seams took.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SeamFigures {
+    /// How many edges were cut.
+    pub edges: u64,
+    /// How long they are together; absent where one has no finite length.
+    pub length: Option<f64>,
+    /// How many edges there are now that would not be if the seams had been kept.
+    pub edges_added: u64,
+    /// How many vertices there are now that would not be if the seams had been kept.
+    pub vertices_added: u64,
+}
+
+/// A pair of sides that were matched before they were parted.
+pub(super) type Parted = (CornerId, CornerId);
+
+/// Parts matched sides that run the same way, in patches that have no consistent side.
+pub(super) fn part_seams<K: Connectivity>(kernel: &K, matching: &mut Matching) -> Vec<Parted> {
+    let patches = PatchSides::patches(kernel, matching);
+    let clashing: Vec<Parted> = matching
+        .pairs()
+        .filter(|&(one, other)| {
+            run_the_same_way(kernel, one, other) && patches.is_twisted(kernel.corner_face(one))
+        })
+        .collect();
+    clashing.iter().for_each(|&(one, other)| matching.part(one, other));
+    clashing
+}
+
+/// The edges that were cut, as what was wrong.
+pub(super) fn seam_edges<K: Connectivity>(kernel: &K, seam: &[Parted]) -> impl Iterator<Item = Defect> {
+    let edges = seam.iter().map(|&(one, _)| kernel.corner_edge(one));
+    edges.map(|edge| Defect::SeamEdge { edge, ends: kernel.edge_ends(edge) })
+}
+
+/// What a seam took, when the corners are joined as `classes` says; nothing where there is none.
+///
+/// *Cost*: linear in the corners where there is one.
+pub(super) fn seam_figures<K: Connectivity>(
+    kernel: &K,
+    mesh: &PolygonMesh,
+    matching: &Matching,
+    classes: &UnionFind<u32>,
+    seam: &[Parted],
+) -> Option<SeamFigures> {
+    if seam.is_empty() {
+        return None;
+    }
+    let length: f64 = seam.iter().map(|&(one, _)| length(kernel, mesh, one)).sum();
+    // Sewn up again, the seam would have these edges less, and one vertex less for each two classes that meet.
+    let open: Vec<&Parted> =
+        seam.iter().filter(|&&(one, other)| matching.is_free(one) && matching.is_free(other)).collect();
+    let mut sewn = classes.clone();
+    let corners = open.iter().flat_map(|&&(one, other)| corners_that_meet(kernel, one, other));
+    let vertices_added = corners.filter(|&(one, other)| sewn.union(one.0, other.0)).count() as u64;
+    Some(SeamFigures {
+        edges: seam.len() as u64,
+        length: length.is_finite().then_some(length),
+        edges_added: open.len() as u64,
+        vertices_added,
+    })
+}
+
+/// The length of a side.
+fn length<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, side: CornerId) -> f64 {
+    let [from, to] = [kernel.corner_vertex(side), kernel.corner_target(side)].map(|v| mesh.position(v));
+    let [x, y, z] = [0, 1, 2].map(|axis| to[axis] - from[axis]);
+    x.hypot(y).hypot(z)
+}

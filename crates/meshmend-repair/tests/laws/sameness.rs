@@ -1,0 +1,142 @@
+//! Neither the number of threads nor the kernel makes a difference, to the bit.
+
+use std::sync::OnceLock;
+
+use meshmend_core::{Defect, PolygonMesh, Provenance};
+use meshmend_kernels::KernelKind;
+use meshmend_repair::{Context, Outcome, PassError, Pipeline};
+use meshmend_testkit::damage::Damage;
+use meshmend_testkit::shapes::{self, Tiles};
+use meshmend_testkit::worlds;
+use proptest::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::many;
+use crate::options::every_choice;
+use crate::passes::bits;
+use crate::pipelines::any_pipeline;
+
+/// Pools of one, two and eight threads.
+fn pools() -> &'static [ThreadPool] {
+    static POOLS: OnceLock<Vec<ThreadPool>> = OnceLock::new();
+    let pool = |threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    POOLS.get_or_init(|| [1, 2, 8].map(pool).into())
+}
+
+/// All that a repair gives, comparable.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Given {
+    positions: Vec<[u64; 3]>,
+    faces: Vec<Vec<u32>>,
+    layers: String,
+    record: Provenance,
+    mended: Vec<Defect>,
+    left: Vec<Defect>,
+}
+
+impl Given {
+    fn of(mesh: &PolygonMesh, record: &Provenance, mended: Vec<Defect>, left: Vec<Defect>) -> Self {
+        let (faces, layers) = (meshmend_testkit::Soup::of_mesh(mesh).faces, format!("{:?}", mesh.layers()));
+        Given { positions: bits(mesh), faces, layers, record: record.clone(), mended, left }
+    }
+
+    fn by_pass(outcome: &Outcome) -> Self {
+        let (mended, left) = (outcome.mended.iter().collect(), outcome.left.clone());
+        Given::of(&outcome.mesh, &outcome.provenance, mended, left)
+    }
+
+    fn by_pipeline(pipeline: &Pipeline, mesh: &PolygonMesh) -> Result<Self, PassError> {
+        let repaired = pipeline.run(mesh)?;
+        let mended = repaired.passes.iter().flat_map(|pass| pass.mended.iter()).collect();
+        let left = repaired.passes.iter().flat_map(|pass| pass.left.clone()).collect();
+        Ok(Given::of(&repaired.mesh, &repaired.provenance, mended, left))
+    }
+}
+
+/// A repair gives the same on every kernel and with any number of threads; a kernel that is not permissive may refuse.
+#[track_caller]
+fn assert_same_everywhere(what: &str, repair: impl Fn(KernelKind) -> Result<Given, PassError> + Sync) {
+    let mut first: Option<Result<Given, String>> = None;
+    for &kernel in KernelKind::ALL {
+        for pool in pools() {
+            let result = match pool.install(|| repair(kernel)) {
+                Err(PassError::Refused(_)) if !kernel.capabilities().is_permissive() => continue,
+                result => result.map_err(|error| error.to_string()),
+            };
+            let threads = pool.current_num_threads();
+            let expected =
+                first.get_or_insert_with(|| repair(KernelKind::default()).map_err(|e| e.to_string()));
+            assert!(
+                result == *expected,
+                "{what}: {kernel} on {threads} threads gives\n{result:?}\nnot {expected:?}"
+            );
+        }
+    }
+}
+
+fn assert_passes_are_the_same(mesh: &PolygonMesh) {
+    for pass in every_choice() {
+        assert_same_everywhere(&format!("{pass:?}"), |kernel| {
+            let context = Context { kernel, ..Context::default() };
+            pass.as_pass().apply(mesh, &context).map(|outcome| Given::by_pass(&outcome))
+        });
+    }
+}
+
+fn assert_pipeline_is_the_same(pipeline: &Pipeline, mesh: &PolygonMesh) {
+    assert_same_everywhere(&format!("{:?}", pipeline.passes()), |kernel| {
+        Given::by_pipeline(&pipeline.clone().on_kernel(kernel), mesh)
+    });
+}
+
+/// Large enough for work to be shared between threads, and with something for every pass to do.
+#[test]
+fn a_large_damaged_mesh() {
+    let mut soup = shapes::torus(60, 40, Tiles::Quads).soup;
+    let doubled: Vec<usize> = (0..300).map(|i| i * 7).collect();
+    soup = Damage::Flip { faces: (0..900).collect() }.apply(&soup);
+    soup = Damage::Crack { faces: (500..1700).collect() }.apply(&soup);
+    soup.faces.extend(doubled.iter().map(|&f| soup.faces[f].clone()).collect::<Vec<_>>());
+    soup = Damage::Pinch { kept: 3, lost: 1200 }.apply(&soup);
+    soup.faces.extend([vec![5, 5, 6], vec![1, 2, 3, 1, 4, 700]]);
+    soup = Damage::NonFinite { vertex: 77, value: meshmend_testkit::damage::Unreal::Nan }.apply(&soup);
+    let (mesh, apart) = (soup.numbered(), Damage::WeldApart.apply(&soup).numbered());
+    assert_passes_are_the_same(&mesh);
+    assert_pipeline_is_the_same(&Pipeline::default(), &mesh);
+    assert_pipeline_is_the_same(&Pipeline::default(), &apart);
+}
+
+/// What strict kernels hold as well.
+#[test]
+fn shapes_that_are_surfaces() {
+    for shape in shapes::catalogue().iter().filter(|shape| shape.truth.manifold) {
+        let mesh = shape.soup.numbered();
+        assert_pipeline_is_the_same(&Pipeline::default(), &mesh);
+        if shape.soup.faces.len() < 12 {
+            assert_passes_are_the_same(&mesh);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: many(20), failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn passes_on_soups(soup in worlds::any_table(10)) {
+        assert_passes_are_the_same(&soup.numbered());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: many(250), failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn pipelines_on_soups(soup in worlds::any_table(10), pipeline in any_pipeline()) {
+        assert_pipeline_is_the_same(&pipeline, &soup.numbered());
+    }
+
+    #[test]
+    fn pipelines_on_damaged_shapes((_, _, soup) in worlds::damaged_shape(), pipeline in any_pipeline()) {
+        assert_pipeline_is_the_same(&pipeline, &soup.numbered());
+    }
+}

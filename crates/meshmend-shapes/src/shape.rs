@@ -1,0 +1,122 @@
+//! A mesh with what is true of it, and the two changes that leave its topology as it is.
+
+use meshmend_core::{FaceTableError, Id, MeshError, PolygonMesh, VertexId};
+use thiserror::Error;
+
+use crate::Truth;
+use crate::generators::Parameter;
+use crate::sketch::Sketch;
+
+/// A mesh and what is true of it.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// What it is called, with its sizes.
+    pub name: String,
+    /// The mesh.
+    pub mesh: PolygonMesh,
+    /// Its figures.
+    pub truth: Truth,
+}
+
+/// Why there is no such shape.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum ShapeError {
+    /// A size is below the least for which the shape is what its name says.
+    #[error("{size} has to be at least {least}, but is {given}")]
+    TooSmall {
+        /// Which size.
+        size: &'static str,
+        /// What was asked for.
+        given: usize,
+        /// The least that there is.
+        least: usize,
+    },
+    /// The mesh would have more corners than a table holds.
+    #[error("there are no meshes so large: {0}")]
+    TooLarge(#[from] FaceTableError),
+    /// The shape has no such size.
+    #[error("`{shape}` has no {parameter}")]
+    NoSuchParameter {
+        /// The shape's name.
+        shape: &'static str,
+        /// What was given.
+        parameter: Parameter,
+    },
+    /// Handles and cross-caps were asked for at once.
+    #[error("a surface has a genus or cross-caps, not both")]
+    TwoKinds,
+    /// The parts don't fit together.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+impl Shape {
+    /// The same surface or complex with each edge halved and each face of n corners cut into n quads that meet in a new
+    /// vertex inside it: V' = V + E + F, E' = 2E + Σn and F' = Σn.
+    ///
+    /// Its faces must be simple, as those of every shape but [`out_and_back`](crate::out_and_back) are. Where a surface
+    /// passes through itself new vertices may coincide.
+    ///
+    /// # Errors
+    /// When that is too large.
+    ///
+    /// *Cost*: linear.
+    pub fn refined(&self) -> Result<Shape, ShapeError> {
+        let (faces, edges) = (self.mesh.complex().faces(), self.mesh.complex().edges());
+        let mut sketch = Sketch::with_room(&[faces.corner_count(), 4])?;
+        let place = |v: &VertexId| self.mesh.position(*v);
+        let middles = edges.all_ends().iter().map(|ends| mean(ends.iter().map(place)));
+        let centres = faces.faces().map(|face| mean(faces.face_vertices(face).iter().map(place)));
+        sketch.points(self.mesh.positions().iter().copied().chain(middles).chain(centres));
+        let (vertex_count, edge_count) = (faces.vertex_count(), edges.edge_count());
+        let middle = |corner| (vertex_count + edges.corner_edge(corner).index()) as u32;
+        for face in faces.faces() {
+            let centre = (vertex_count + edge_count + face.index()) as u32;
+            let mut before = faces.face_corners(face).next_back();
+            for corner in faces.face_corners(face) {
+                let last = before.replace(corner).unwrap_or(corner);
+                sketch.face(&[faces.corner_vertex(corner).0, middle(corner), centre, middle(last)]);
+            }
+        }
+        let Truth { vertices, edges, faces: face_count, .. } = self.truth;
+        let corners = faces.corner_count();
+        let counts = [vertices + edges + face_count, 2 * edges + corners, corners];
+        sketch.shape(format!("{}, refined", self.name), self.truth.with_counts(counts))
+    }
+
+    /// The same with each face of n > 3 corners cut into n − 2 triangles from its first corner, by n − 3 new edges.
+    ///
+    /// Those edges are new for every shape but [`out_and_back`](crate::out_and_back), whose faces touch themselves.
+    ///
+    /// # Errors
+    /// When the mesh can't be made, which does not happen to a mesh of this crate.
+    ///
+    /// *Cost*: linear.
+    pub fn triangulated(&self) -> Result<Shape, ShapeError> {
+        let faces = self.mesh.faces();
+        let mut sketch = Sketch::with_room(&[faces.corner_count(), 3])?;
+        sketch.points(self.mesh.positions().iter().copied());
+        for face in faces.faces() {
+            if let [first, rest @ ..] = faces.face_vertices(face) {
+                rest.windows(2).for_each(|pair| sketch.face(&[first.0, pair[0].0, pair[1].0]));
+            }
+        }
+        let Truth { vertices, edges, faces: face_count, .. } = self.truth;
+        let diagonals = faces.corner_count() - 3 * face_count;
+        let counts = [vertices, edges + diagonals, face_count + diagonals];
+        let name = if diagonals > 0 { format!("{} in triangles", self.name) } else { self.name.clone() };
+        sketch.shape(name, self.truth.with_counts(counts))
+    }
+}
+
+impl Truth {
+    fn with_counts(&self, [vertices, edges, faces]: [usize; 3]) -> Truth {
+        Truth { vertices, edges, faces, ..self.clone() }
+    }
+}
+
+fn mean(points: impl ExactSizeIterator<Item = [f64; 3]>) -> [f64; 3] {
+    let count = points.len() as f64;
+    let sum = points.fold([0.0; 3], |sum, point| [0, 1, 2].map(|axis| sum[axis] + point[axis]));
+    sum.map(|x| x / count)
+}

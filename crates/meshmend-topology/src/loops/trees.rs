@@ -1,0 +1,96 @@
+//! The trees of the vertices from the roots that were asked for, and what they leave for the trees of the faces.
+
+use std::num::NonZeroU32;
+
+use meshmend_core::{Column, Connectivity, EdgeId, VertexId};
+
+use super::co_tree::{CoTree, Dual};
+use super::forest::Forest;
+use super::roots::{RootChoice, Roots, lowest_roots, roots_with, spread_roots};
+use super::surfaces::Surfaces;
+use super::weights::Weights;
+use super::{GeneratorError, GeneratorOptions};
+use crate::ComponentId;
+
+/// Where trees grow: a mesh with what is known of it, and the length of its edges.
+pub(super) struct Ground<'a, K> {
+    pub(super) kernel: &'a K,
+    pub(super) surfaces: &'a Surfaces,
+    pub(super) dual: Dual<'a, K>,
+    pub(super) weights: Weights<'a>,
+    co_tree: CoTree,
+}
+
+/// The trees of the vertices of all surfaces.
+pub(super) struct Trees {
+    pub(super) roots: RootChoice,
+    pub(super) forest: Forest,
+    /// The other edges, in the order in which they are offered to the tree of the faces.
+    pub(super) order: Vec<EdgeId>,
+}
+
+impl<'a, K: Connectivity> Ground<'a, K> {
+    pub(super) fn new(
+        kernel: &'a K,
+        surfaces: &'a Surfaces,
+        options: &GeneratorOptions<'a>,
+    ) -> Result<Self, GeneratorError> {
+        let weights = Weights::new(kernel, surfaces, options.lengths)?;
+        Ok(Ground { kernel, surfaces, dual: Dual::new(kernel, surfaces), weights, co_tree: options.co_tree })
+    }
+
+    /// *Cost*: O(n log n) for each root that is tried.
+    pub(super) fn trees(&self, roots: Roots) -> Result<Trees, GeneratorError> {
+        let roots = match roots {
+            Roots::Lowest => lowest_roots(self.surfaces),
+            Roots::At(vertex) => roots_with(self.kernel, self.surfaces, vertex)?,
+            Roots::Best(count) => self.best_roots(count),
+        };
+        Ok(self.trees_from(roots))
+    }
+
+    fn trees_from(&self, roots: RootChoice) -> Trees {
+        let starts: Vec<VertexId> = roots.values().iter().copied().flatten().collect();
+        let forest = Forest::grow(self.kernel, &self.weights, &starts);
+        let order = self.co_tree.order(self, &forest);
+        Trees { roots, forest, order }
+    }
+
+    /// Of some roots of each surface the one whose loops are the shortest together.
+    fn best_roots(&self, count: NonZeroU32) -> RootChoice {
+        let surfaces = self.surfaces;
+        let most = surfaces.facts.values().iter().map(|facts| facts.vertices).max();
+        let count = most.and_then(NonZeroU32::new).map_or(count, |most| count.min(most));
+        let mut roots: RootChoice = Column::filled(None, surfaces.components.count());
+        let mut shortest = Column::filled(f64::INFINITY, surfaces.components.count());
+        for place in 0..count.get() {
+            let trees = self.trees_from(spread_roots(self.kernel, surfaces, place, count));
+            let lengths = self.system_lengths(&trees);
+            for component in surfaces.components.ids() {
+                if lengths[component] < shortest[component] {
+                    shortest[component] = lengths[component];
+                    roots[component] = trees.roots[component];
+                }
+            }
+        }
+        roots
+    }
+
+    /// How long the loops of each component are together.
+    fn system_lengths(&self, trees: &Trees) -> Column<ComponentId, f64> {
+        let mut lengths = Column::filled(0.0, self.surfaces.components.count());
+        let [_, left_over] = self.dual.split(&trees.order);
+        for edge in left_over {
+            if let Some(component) = self.surfaces.of_edge(self.kernel, edge) {
+                lengths[component] += self.based_length(&trees.forest, edge);
+            }
+        }
+        lengths
+    }
+
+    /// How long the loop of an edge is, from the root to one end of it, across, and back to the root.
+    pub(super) fn based_length(&self, forest: &Forest, edge: EdgeId) -> f64 {
+        let [low, high] = self.kernel.edge_ends(edge);
+        forest.distance(low) + forest.distance(high) + self.weights.of(edge)
+    }
+}

@@ -1,0 +1,175 @@
+//! How short is the shortest way round through a face that comes back mirrored?
+//!
+//! In the *orientation double cover* there are two copies of each face, and a tie leads from a copy to the copy of
+//! the neighbour on the same side, or on the other one where it mirrors. A strip that comes back mirrored is a way
+//! from one copy of a face to the other. The cover looks the same from both copies, so one search from one of them
+//! tells the distances from both, and it need not go farther than half the way.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use crate::joints::TieGraph;
+
+/// A copy of a face: twice its place, and one more on the other side.
+type Copy = u32;
+
+/// The same face on the other side.
+fn other_copy(copy: Copy) -> Copy {
+    copy ^ 1
+}
+
+/// A search through the double cover of a graph, in memory that is used again.
+#[derive(Debug)]
+pub(super) struct Search<'a> {
+    graph: &'a TieGraph,
+    /// The length of the shortest way known to each copy; `UNREACHED` where there is none.
+    distance: Vec<u64>,
+    reached: Vec<Copy>,
+    front: BinaryHeap<Reverse<(u64, Copy)>>,
+    /// How many more ways out of a face may be looked at.
+    budget: u64,
+}
+
+const UNREACHED: u64 = u64::MAX;
+
+/// The shortest mirrored strips through a face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Round {
+    pub(super) length: u64,
+    /// The place of the lowest face that any of them goes through.
+    pub(super) lowest: u32,
+}
+
+/// The budget is spent.
+#[derive(Debug)]
+pub(super) struct Spent;
+
+impl<'a> Search<'a> {
+    pub(super) fn new(graph: &'a TieGraph, budget: u64) -> Self {
+        let distance = vec![UNREACHED; 2 * graph.face_count()];
+        Search { graph, distance, reached: Vec::new(), front: BinaryHeap::new(), budget }
+    }
+
+    /// The shortest mirrored strips through a face, if they are no longer than a bound.
+    pub(super) fn round(&mut self, face: u32, bound: u64) -> Result<Option<Round>, Spent> {
+        self.begin(face);
+        let mut length = bound.saturating_add(1);
+        while let Some(copy) = self.settle_next(|distance| distance.saturating_mul(2) <= length)? {
+            let here = self.distance[copy as usize];
+            for (next, weight) in ways(self.graph, copy) {
+                let there = self.distance[other_copy(next) as usize];
+                if there != UNREACHED {
+                    length = length.min(here + weight + there);
+                }
+            }
+        }
+        if length > bound {
+            return Ok(None);
+        }
+        let lowest = self.lowest_face_within(length)?;
+        Ok(Some(Round { length, lowest }))
+    }
+
+    /// Of the shortest mirrored strips through a face, of this length, the one with the lowest ties: the ties from
+    /// the face on.
+    pub(super) fn lowest_ties(&mut self, face: u32, length: u64) -> Vec<u32> {
+        self.begin(face);
+        self.budget = u64::MAX;
+        while let Ok(Some(_)) = self.settle_next(|distance| distance <= length) {}
+        let (mut at, mut left) = (2 * face, length);
+        let mut ties = Vec::new();
+        while left > 0 {
+            // The way on from a copy to the far end is as long as the way from the near end to the other copy.
+            let on = self.graph.arcs(at / 2).iter().find_map(|arc| {
+                let tie = self.graph.tie(arc.tie);
+                let next = 2 * arc.to + (at & 1 ^ u32::from(tie.is_mirrored));
+                let rest = left.checked_sub(tie.weight)?;
+                (self.distance[other_copy(next) as usize] == rest).then_some((arc.tie, next, rest))
+            });
+            let Some((tie, next, rest)) = on else { break };
+            ties.push(tie);
+            (at, left) = (next, rest);
+        }
+        ties
+    }
+
+    fn begin(&mut self, face: u32) {
+        self.reached.drain(..).for_each(|copy| self.distance[copy as usize] = UNREACHED);
+        self.front.clear();
+        self.reach(2 * face, 0);
+    }
+
+    fn reach(&mut self, copy: Copy, distance: u64) {
+        let known = &mut self.distance[copy as usize];
+        if distance < *known {
+            if *known == UNREACHED {
+                self.reached.push(copy);
+            }
+            *known = distance;
+            self.front.push(Reverse((distance, copy)));
+        }
+    }
+
+    /// Settles the nearest copy that is not settled, and reaches its neighbours; nothing where it is too far.
+    fn settle_next(&mut self, is_near: impl Fn(u64) -> bool) -> Result<Option<Copy>, Spent> {
+        while let Some(Reverse((distance, copy))) = self.front.pop() {
+            if distance > self.distance[copy as usize] {
+                continue;
+            }
+            if !is_near(distance) {
+                return Ok(None);
+            }
+            self.spend(copy)?;
+            let graph = self.graph;
+            ways(graph, copy).for_each(|(next, weight)| self.reach(next, distance + weight));
+            return Ok(Some(copy));
+        }
+        Ok(None)
+    }
+
+    fn spend(&mut self, copy: Copy) -> Result<(), Spent> {
+        let looks = self.graph.arcs(copy / 2).len() as u64;
+        self.budget = self.budget.checked_sub(looks).ok_or(Spent)?;
+        Ok(())
+    }
+
+    /// The lowest face on a mirrored strip of the length that the search has just found to be the least: the faces
+    /// before and behind the middle of each, and all on the way back from there.
+    fn lowest_face_within(&mut self, length: u64) -> Result<u32, Spent> {
+        let graph = self.graph;
+        let mut on_strip = Vec::new();
+        let mut is_on_strip = std::collections::BTreeSet::new();
+        for &copy in &self.reached {
+            let here = self.distance[copy as usize];
+            let meets = ways(graph, copy).any(|(next, weight)| {
+                let there = self.distance[other_copy(next) as usize];
+                there != UNREACHED && here + weight + there == length
+            });
+            if meets {
+                on_strip.push(copy);
+            }
+        }
+        is_on_strip.extend(on_strip.iter().copied());
+        let mut lowest = u32::MAX;
+        while let Some(copy) = on_strip.pop() {
+            self.spend(copy)?;
+            lowest = lowest.min(copy / 2);
+            let here = self.distance[copy as usize];
+            for (before, weight) in ways(graph, copy) {
+                let is_before = self.distance[before as usize].checked_add(weight) == Some(here);
+                if is_before && is_on_strip.insert(before) {
+                    on_strip.push(before);
+                }
+            }
+        }
+        Ok(lowest)
+    }
+}
+
+/// The neighbours of a copy, and how far they are.
+fn ways(graph: &TieGraph, copy: Copy) -> impl Iterator<Item = (Copy, u64)> + '_ {
+    graph.arcs(copy / 2).iter().map(move |arc| {
+        let tie = graph.tie(arc.tie);
+        (2 * arc.to + (copy & 1 ^ u32::from(tie.is_mirrored)), tie.weight)
+    })
+}

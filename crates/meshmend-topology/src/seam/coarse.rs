@@ -1,0 +1,89 @@
+//! The same question in fewer faces.
+//!
+//! Faces are joined two by two and lie on sides that agree from then on; ties that lead between the same two joined
+//! faces are summed up, with opposite signs where one mirrors and the other does not. What clashes for sides of the
+//! coarse graph clashes, but for a constant, for the sides of the fine one that they stand for.
+//!
+//! *Source*: G. Karypis, V. Kumar, *A fast and high quality multilevel scheme for partitioning irregular graphs*, 1998.
+
+use crate::joints::{Arc, Tie, TieGraph};
+
+/// A graph with about half the faces of another.
+#[derive(Debug)]
+pub(super) struct Coarse {
+    pub(super) graph: TieGraph,
+    /// How many faces each face stands for.
+    size: Vec<u32>,
+    /// For each face of the finer graph the one that stands for it, and whether it lies on the other side.
+    of_fine: Vec<(u32, bool)>,
+}
+
+const UNJOINED: u32 = u32::MAX;
+
+impl Coarse {
+    /// Joins the faces of a graph, each of which stands for so many, two by two.
+    ///
+    /// *Cost*: O(n log n).
+    pub(super) fn of(fine: &TieGraph, size: &[u32]) -> Self {
+        let mut coarse =
+            Coarse { graph: TieGraph::new(0, Vec::new()), size: Vec::new(), of_fine: Vec::new() };
+        coarse.of_fine = vec![(UNJOINED, false); fine.face_count()];
+        for face in fine.faces() {
+            if coarse.of_fine[face as usize].0 != UNJOINED {
+                continue;
+            }
+            let joined = coarse.size.len() as u32;
+            coarse.of_fine[face as usize] = (joined, false);
+            let mut whole = size[face as usize];
+            if let Some(Arc { tie, to }) = coarse.partner(fine, size, face) {
+                coarse.of_fine[to as usize] = (joined, fine.tie(tie).is_mirrored);
+                whole += size[to as usize];
+            }
+            coarse.size.push(whole);
+        }
+        coarse.graph = TieGraph::new(coarse.size.len(), coarse.ties(fine));
+        coarse
+    }
+
+    /// The next coarser graph.
+    pub(super) fn coarser(&self) -> Self {
+        Coarse::of(&self.graph, &self.size)
+    }
+
+    /// The sides of the finer graph's faces.
+    pub(super) fn in_fine(&self, is_turned: &[bool]) -> Vec<bool> {
+        self.of_fine.iter().map(|&(face, is_other)| is_turned[face as usize] ^ is_other).collect()
+    }
+
+    /// The way to the free neighbour with the heaviest tie for its size; of equal ones the first.
+    fn partner(&self, fine: &TieGraph, size: &[u32], face: u32) -> Option<Arc> {
+        let is_free = |arc: &&Arc| arc.to != face && self.of_fine[arc.to as usize].0 == UNJOINED;
+        let is_better = |one: &Arc, other: &Arc| {
+            let weight = |arc: &Arc| u128::from(fine.tie(arc.tie).weight);
+            let size = |arc: &Arc| u128::from(size[arc.to as usize]);
+            weight(one) * size(other) > weight(other) * size(one)
+        };
+        let free = fine.arcs(face).iter().filter(is_free).copied();
+        free.reduce(|best, next| if is_better(&next, &best) { next } else { best })
+    }
+
+    /// The ties between different joined faces, parallel ones summed up.
+    fn ties(&self, fine: &TieGraph) -> Vec<Tie> {
+        let coarse_tie = |tie: &Tie| {
+            let [one, other] = tie.ends.map(|face| self.of_fine[face as usize]);
+            let ends = [one.0.min(other.0), one.0.max(other.0)];
+            (ends[0] != ends[1]).then_some((ends, tie.is_mirrored ^ one.1 ^ other.1, tie.weight))
+        };
+        let mut all: Vec<([u32; 2], bool, u64)> = fine.ties().iter().filter_map(coarse_tie).collect();
+        all.sort_unstable();
+        let summed = all.chunk_by(|one, other| one.0 == other.0).filter_map(|parallel| {
+            let weight = |mirrored: bool| -> u64 {
+                parallel.iter().filter(|tie| tie.1 == mirrored).map(|tie| tie.2).sum()
+            };
+            let (plain, mirrored) = (weight(false), weight(true));
+            let (ends, is_mirrored) = (parallel[0].0, mirrored > plain);
+            (plain != mirrored).then_some(Tie { ends, is_mirrored, weight: plain.abs_diff(mirrored) })
+        });
+        summed.collect()
+    }
+}

@@ -1,0 +1,131 @@
+//! The closed paths that generate a surface, with lengths measured in space, and cutting along them.
+
+use meshmend_core::{Connectivity, PolygonMesh};
+use meshmend_kernels::{KernelKind, KernelTask};
+use meshmend_repair::{CutAlong, CutError, Discs, PassError, cut_to_discs, edge_lengths};
+use meshmend_topology::{CoTree, GeneratorError, GeneratorOptions, Generators, Measure, Roots, generators};
+use thiserror::Error;
+
+use crate::View;
+
+/// How to look for the closed paths of surfaces.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LoopOptions {
+    /// Whether the mesh is taken as stored or as welded.
+    pub view: View,
+    /// The kernel to compute on.
+    pub kernel: KernelKind,
+    /// Whether edges are measured in space or counted.
+    pub measure: Measure,
+    /// Whether any paths will do, or the shortest system at the root is wanted.
+    pub co_tree: CoTree,
+    /// Where the paths begin.
+    pub roots: Roots,
+}
+
+/// How to cut surfaces open.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CutOptions {
+    /// Along what.
+    pub along: CutAlong,
+    /// How to look for that; a cut is computed on the default kernel, whatever is said here.
+    pub loops: LoopOptions,
+}
+
+/// The closed paths of a mesh's surfaces.
+#[derive(Clone, Debug)]
+pub struct LoopReport {
+    /// As what the mesh was taken.
+    pub view: View,
+    /// The mesh in that view: all ids are its.
+    pub mesh: PolygonMesh,
+    /// The paths.
+    pub generators: Generators,
+}
+
+/// A mesh that was cut open.
+#[derive(Clone, Debug)]
+pub struct CutReport {
+    /// As what the mesh was taken.
+    pub view: View,
+    /// The mesh in that view, before.
+    pub before: PolygonMesh,
+    /// The mesh after, and how its rims belong together.
+    pub discs: Discs,
+}
+
+/// Why surfaces have not been looked at, or not been cut.
+#[derive(Clone, Debug, Error)]
+pub enum LoopError {
+    /// The view's distance is none, or the kernel can't hold the mesh.
+    #[error(transparent)]
+    Pass(#[from] PassError),
+    /// There are no generators.
+    #[error(transparent)]
+    Generators(#[from] GeneratorError),
+    /// There is no cut.
+    #[error(transparent)]
+    Cut(#[from] CutError),
+}
+
+/// The closed paths that generate the first homology of each component, with their lengths in space.
+///
+/// ```
+/// use meshmend::{FaceTable, LoopOptions, PolygonMesh, VertexId, loops};
+///
+/// // A square ring of four quads.
+/// let corners = [0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7].map(VertexId).to_vec();
+/// let faces = FaceTable::polygons(8, vec![0, 4, 8, 12, 16], corners)?;
+/// let square = |z| [[0.0, 0.0, z], [1.0, 0.0, z], [1.0, 1.0, z], [0.0, 1.0, z]];
+/// let mesh = PolygonMesh::new([square(0.0), square(1.0)].concat(), faces)?;
+/// let found = loops(&mesh, &LoopOptions::default())?;
+/// assert_eq!(found.generators.components()[0].generators[0].length, 4.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// When the view's distance is none, the kernel can't hold the mesh, or the root is in no face.
+///
+/// *Cost*: O(n log n) for each root that is tried.
+pub fn loops(mesh: &PolygonMesh, options: &LoopOptions) -> Result<LoopReport, LoopError> {
+    let mesh = options.view.of(mesh)?;
+    let found = options.kernel.run(mesh.complex(), Ask { options, mesh: &mesh }).map_err(PassError::from)?;
+    Ok(LoopReport { view: options.view, generators: found?, mesh })
+}
+
+/// Cuts every component of a mesh open.
+///
+/// # Errors
+/// When the view's distance is none, the root is in no face, a component is no surface, or one with a boundary is to
+/// be cut along generators.
+///
+/// *Cost*: that of [`loops`].
+pub fn cut(mesh: &PolygonMesh, options: &CutOptions) -> Result<CutReport, LoopError> {
+    let before = options.loops.view.of(mesh)?;
+    let discs = options.loops.with_lengths(&before, |choice| cut_to_discs(&before, options.along, choice))?;
+    Ok(CutReport { view: options.loops.view, before, discs })
+}
+
+impl LoopOptions {
+    /// Does some work with these options and the lengths of a mesh's edges.
+    pub(crate) fn with_lengths<T>(
+        &self,
+        mesh: &PolygonMesh,
+        work: impl FnOnce(&GeneratorOptions<'_>) -> T,
+    ) -> T {
+        let lengths = (self.measure == Measure::Length).then(|| edge_lengths(mesh));
+        work(&GeneratorOptions { lengths: lengths.as_ref(), co_tree: self.co_tree, roots: self.roots })
+    }
+}
+
+struct Ask<'a> {
+    options: &'a LoopOptions,
+    mesh: &'a PolygonMesh,
+}
+
+impl KernelTask for Ask<'_> {
+    type Output = Result<Generators, GeneratorError>;
+    fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
+        self.options.with_lengths(self.mesh, |choice| generators(kernel, choice))
+    }
+}

@@ -1,0 +1,112 @@
+//! Every option of every command, as the command line describes itself: without a value, with a bad one and with a
+//! good one. The parser has to take what is good and nothing else, and whatever it takes, a run has to keep the
+//! promises that fuzzing asks for.
+
+use clap::{Arg, ArgAction, Command};
+use meshmend_cli::description;
+use meshmend_fuzz::arguments;
+
+/// No option takes this for a value, unless it takes any text.
+const BAD: &str = "?";
+
+/// A value that an argument takes, and whether it is any text that it takes.
+fn good(argument: &Arg) -> (String, bool) {
+    if let Some(value) = argument.get_possible_values().first() {
+        return (value.get_name().to_owned(), false);
+    }
+    let place = argument.get_value_names().and_then(|names| names.first()).map_or("", |name| name.as_str());
+    let (value, takes_any_text) = match (argument.get_id().as_str(), place) {
+        ("plan", _) => ("plan.toml", true),
+        ("name", _) => ("weld", true),
+        ("report", _) => ("new.json", true),
+        (_, "OUT") => ("new.ply", true),
+        (_, "PICTURE" | "OUT.svg") => ("new.svg", true),
+        (_, "IN" | "FILE") => ("broken.obj", true),
+        (_, "N" | "V" | "G" | "M" | "B") => ("3", false),
+        (_, "TIMES") => ("1", false),
+        (_, "DEGREES") => ("-30", false),
+        (_, "WxH") => ("320x240", false),
+        (_, "X,Y,Z") => ("1,-2,3", false),
+        (_, "SHAPE") => ("torus", false),
+        (_, "DISTANCE") => ("1%", false),
+        (_, "KIND") => ("degenerate-face", false),
+        (_, "FORMAT") => ("ply", false),
+        ("kernel", _) => ("edge-use", false),
+        (id, place) => panic!("which value does {id} {place} take?"),
+    };
+    (value.to_owned(), takes_any_text)
+}
+
+fn is_flag(argument: &Arg) -> bool {
+    !argument.get_action().takes_values()
+}
+
+/// A command with what it needs beside one argument: what it can't do without, and an output.
+fn least(command: &Command, but: &Arg) -> Vec<String> {
+    let mut words = vec![command.get_name().to_owned()];
+    let is_in_the_way = |argument: &Arg| {
+        let mut others = command.get_arg_conflicts_with(but).into_iter().chain([but]);
+        others.any(|other| other.get_id() == argument.get_id())
+    };
+    for argument in command.get_arguments().filter(|argument| !is_in_the_way(argument)) {
+        if argument.is_positional() {
+            words.push(good(argument).0);
+        } else if argument.is_required_set() || argument.get_id() == "output" {
+            words.extend([option(argument), good(argument).0]);
+        }
+    }
+    words
+}
+
+fn option(argument: &Arg) -> String {
+    format!("--{}", argument.get_long().expect("every option has a long name"))
+}
+
+fn is_taken(words: &[String]) -> bool {
+    description()
+        .try_get_matches_from(std::iter::once("meshmend").chain(words.iter().map(String::as_str)))
+        .is_ok()
+}
+
+/// Runs a command line; gives whether the parser takes it.
+fn run(words: &[String]) -> bool {
+    println!("{}", words.join(" "));
+    arguments(words.join("\n").as_bytes());
+    is_taken(words)
+}
+
+#[test]
+fn every_option_takes_its_values_and_no_other() {
+    let mut count = 0;
+    let mut whole = description();
+    whole.build();
+    for command in whole.get_subcommands().filter(|command| command.get_name() != "help") {
+        let options = command.get_arguments().filter(|argument| !argument.is_positional());
+        for argument in options.filter(|argument| !matches!(argument.get_action(), ArgAction::Help)) {
+            let with =
+                |value: &str| [least(command, argument), vec![option(argument), value.to_owned()]].concat();
+            let bare = [least(command, argument), vec![option(argument)]].concat();
+            assert_eq!(run(&bare), is_flag(argument), "{bare:?}");
+            if is_flag(argument) {
+                continue;
+            }
+            let (value, takes_any_text) = good(argument);
+            assert!(run(&with(&value)), "{:?}", with(&value));
+            assert_eq!(run(&with(BAD)), takes_any_text, "{:?}", with(BAD));
+            count += 1;
+        }
+    }
+    assert!(count > 20, "{count} options with a value");
+}
+
+#[test]
+fn every_command_runs_with_the_least_that_it_takes_and_tells_help() {
+    let whole = description();
+    let anything = Arg::new("none of them");
+    for command in whole.get_subcommands() {
+        let words = least(command, &anything);
+        assert!(run(&words), "{words:?}");
+        let help = [&words[..1], &["--help".to_owned()]].concat();
+        assert!(!run(&help), "help is no run");
+    }
+}
