@@ -56,6 +56,11 @@ impl Flat {
         self.pressed.iter().for_each(|&(node, axis, value)| points[node as usize][axis] = value);
     }
 
+    /// Whether a node lies on a side and has to stay there.
+    pub(crate) fn holds(&self, node: u32) -> bool {
+        self.sides.get(node as usize).is_some_and(|&sides| sides != 0)
+    }
+
     /// How many faces can't but collapse.
     pub(crate) fn collapsed_faces(&self, discs: &Discs) -> usize {
         if self.sides.is_empty() {

@@ -10,6 +10,7 @@ use crate::flat::Flat;
 use crate::orientation::bad_faces;
 use crate::rim::{Cell, Outline, corners_by_length, rim_points};
 use crate::springs::Springs;
+use crate::untangle::untangle;
 
 /// How to lay a mesh out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -186,7 +187,7 @@ impl Work<'_> {
         Layout { points, discs: self.discs.rims.len(), flipped, collapsed, rounds }
     }
 
-    /// Equal strengths, evened out while that leaves fewer bad faces.
+    /// Equal strengths, evened out while that leaves fewer bad faces; what is bad then is untangled.
     fn uniform(&self, mut points: Vec<[f64; 2]>) -> Result<Layout, FlattenError> {
         let (triangles, ends) = (&self.discs.triangles, &self.springs.ends);
         self.relax(&vec![1.0; ends.len()], &mut points)?;
@@ -205,6 +206,11 @@ impl Work<'_> {
             if bad(&layout) < bad(&best) {
                 best = layout;
             }
+        }
+        if bad(&best) > unavoidable {
+            let may_move = |node: u32| self.springs.is_free(node as usize) && !self.flat.holds(node);
+            untangle(triangles, &mut best.points, may_move);
+            best = self.layout(best.points, best.rounds);
         }
         Ok(best)
     }

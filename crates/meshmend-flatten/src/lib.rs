@@ -34,6 +34,7 @@ mod orientation;
 mod rim;
 mod springs;
 mod svg;
+mod untangle;
 
 pub use layout::{Boundary, Flatten, FlattenError, Layout, Weights, flatten};
 pub use svg::svg;

@@ -39,7 +39,7 @@ pub(crate) fn promise(pass: &AnyPass) -> Promise {
     Promise { removes: pass.removes(), requires: pass.requires(), may_introduce: pass.may_introduce() }
 }
 
-/// The outcome of a pass, or nothing where a policy or the request forbids it.
+/// The outcome of a pass, or nothing where a policy forbids it.
 pub(crate) fn honest(result: Result<Outcome, PassError>) -> Option<Outcome> {
     match result {
         Ok(outcome) => Some(outcome),
@@ -52,7 +52,7 @@ pub(crate) fn honest(result: Result<Outcome, PassError>) -> Option<Outcome> {
 }
 
 /// By what the faces of a patch hang together.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub(crate) enum Patches {
     /// By edges of two sides: what the oracle sees.
     ByEdges,

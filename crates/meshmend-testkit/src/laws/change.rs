@@ -23,8 +23,8 @@ pub struct Change<'a> {
 
 impl Change<'_> {
     /// The record is true: it is as long as the meshes are; what has a source has one that exists, a corner one of its
-    /// face's source; a vertex that has none is named as created; and a face runs as its source
-    /// does or, where it is named as flipped, the other way round.
+    /// face's source; a vertex that has none is named as created; and a face runs as its source does or, where it is
+    /// named as flipped, the other way round.
     ///
     /// # Errors
     /// The first thing that is not so.
@@ -38,10 +38,15 @@ impl Change<'_> {
         same("the list", "created vertices", record.created.iter().map(|(v, _)| *v).collect(), created)?;
         let flipped: BTreeSet<FaceId> = record.flipped.iter().copied().collect();
         same("the order", "flipped faces", flipped.iter().copied().collect(), record.flipped.clone())?;
-        for face in self.after.faces().faces() {
-            self.face_is_recorded(face, flipped.contains(&face))?;
+        if let Some((vertex, _)) = record
+            .vertices
+            .iter()
+            .find(|(_, old)| old.is_some_and(|old| old.index() >= record.before.vertices))
+        {
+            return Err(format!("{vertex} comes from a vertex that is not there"));
         }
-        Ok(())
+        let mut faces = self.after.faces().faces();
+        faces.try_for_each(|face| self.face_is_recorded(face, flipped.contains(&face)))
     }
 
     /// Nothing moves: a vertex has its source's point, as numbers are equal, and a corner that of its source, or that of
@@ -79,8 +84,8 @@ impl Change<'_> {
         kept.try_for_each(|(new, old)| same("the point", new, bits(self.after, new), bits(self.before, old)))
     }
 
-    /// Attributes follow: every corner, and every vertex without one, and every face has in each layer what its source
-    /// has, wherever the layer is kept.
+    /// Attributes follow: every corner and every face has in each layer what its source has, whether the layer is kept
+    /// by vertices or by corners.
     ///
     /// # Errors
     /// The layer and the element whose value is another.
@@ -201,7 +206,7 @@ impl Change<'_> {
         Ok(())
     }
 
-    /// Whether a created vertex lies on its side at the fraction that the record says, or within its face's box.
+    /// Whether a created vertex lies in the box of the corners that the record puts it between.
     fn is_between(&self, vertex: VertexId, place: Option<Blend>) -> Result<(), String> {
         let (found, old) = (self.after.position(vertex), self.before.faces());
         let point = |corner: CornerId| self.before.position(old.corner_vertex(corner));
