@@ -20,6 +20,11 @@ pub(crate) fn is_space(byte: u8) -> bool {
     is_blank(byte) || is_line_end(byte)
 }
 
+/// The bytes after the byte order mark, if there is one.
+pub(crate) fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+}
+
 /// The line of a byte, counted from 1. Lines end with LF, CR LF or CR.
 ///
 /// *Cost*: one pass over the bytes before it; only for messages.

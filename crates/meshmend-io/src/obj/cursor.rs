@@ -19,8 +19,7 @@ pub(super) const COLUMNS: usize = 8;
 impl<'a> Cursor<'a> {
     /// The start of a file, after its byte order mark.
     pub(super) fn new(source: &'a Source<'a>) -> Self {
-        const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
-        let at = if source.bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
+        let at = source.bytes.len() - text::without_mark(source.bytes).len();
         Cursor { source, bytes: source.bytes, at }
     }
 

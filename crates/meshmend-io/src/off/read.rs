@@ -58,7 +58,7 @@ struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     fn new(source: &'a Source<'a>, limits: &'a Limits) -> Self {
-        let at = if source.bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        let at = source.bytes.len() - text::without_mark(source.bytes).len();
         Reader { source, bytes: source.bytes, limits, at, parts: Parts::default() }
     }
 

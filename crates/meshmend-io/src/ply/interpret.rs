@@ -3,6 +3,7 @@
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values};
 
 use crate::assemble::Parts;
+use crate::layers::domain_name;
 use crate::ply::columns::Columns;
 use crate::ply::header::Element;
 use crate::ply::layers::{interleaved, is_usual};
@@ -23,7 +24,7 @@ pub(super) struct Rows<'a> {
 
 pub(super) fn vertex_layers(mut rows: Rows<'_>, parts: &mut Parts) {
     for column in 0..rows.element.properties.len() {
-        if let Some((name, width, values)) = rows.next_layer(column, "vertex", parts) {
+        if let Some((name, width, values)) = rows.next_layer(column, Domain::Vertex, parts) {
             let carry = carry(&values);
             parts.layers.push(Layer::direct(name, Domain::Vertex, width, carry, values));
         }
@@ -32,11 +33,11 @@ pub(super) fn vertex_layers(mut rows: Rows<'_>, parts: &mut Parts) {
 
 pub(super) fn face_layers(mut rows: Rows<'_>, parts: &mut Parts) {
     for column in 0..rows.element.properties.len() {
-        if let Some(layer) = rows.corner_layer(column, parts.faces.corner_count()) {
+        if let Some(layer) = rows.corner_layer(column, parts) {
             parts.layers.push(layer);
             continue;
         }
-        let Some((name, width, values)) = rows.next_layer(column, "face", parts) else { continue };
+        let Some((name, width, values)) = rows.next_layer(column, Domain::Face, parts) else { continue };
         let (faces, count) = (parts.faces.face_count(), rows.element.count as usize);
         let layer = if count == faces {
             Layer::direct(name, Domain::Face, width, Carry::Copy, values)
@@ -62,19 +63,24 @@ impl Rows<'_> {
     fn next_layer(
         &mut self,
         column: usize,
-        domain: &str,
+        domain: Domain,
         parts: &mut Parts,
     ) -> Option<(String, usize, Values)> {
         if self.is_taken[column] {
             return None;
         }
-        let Some((group, members)) =
-            GROUPS.iter().find_map(|group| Some((group, self.members(group, column)?)))
+        // Two layers of one name could not be told apart: then the numbers stay single, under their own names.
+        let mut groups = GROUPS.iter().filter(|group| {
+            let is_property = self.element.properties.iter().any(|property| property.name == group.layer);
+            !is_property && !has_layer(parts, group.layer, domain)
+        });
+        let Some((group, members)) = groups.find_map(|group| Some((group, self.members(group, column)?)))
         else {
             let values = std::mem::replace(&mut self.columns.values[column], Values::U8(Vec::new()));
             return Some((self.element.properties[column].name.clone(), 1, values));
         };
         if !is_usual(group) {
+            let domain = domain_name(domain);
             let value = format!("{domain} {} {}", group.layer, group.members.join(" ")).into_bytes();
             parts.metadata.push(Metadata { key: PROPERTY_NAMES.to_owned(), value });
         }
@@ -101,7 +107,7 @@ impl Rows<'_> {
     }
 
     /// The corner layer that a list property of faces is, if its name says so and its lengths fit.
-    fn corner_layer(&mut self, column: usize, corners: usize) -> Option<Layer> {
+    fn corner_layer(&mut self, column: usize, parts: &Parts) -> Option<Layer> {
         let property = &self.element.properties[column];
         let name = match property.name.strip_prefix(CORNER_PREFIX) {
             Some(name) => name,
@@ -109,7 +115,7 @@ impl Rows<'_> {
             None => return None,
         };
         let Values::Lists { starts, items } = &mut self.columns.values[column] else { return None };
-        if self.is_taken[column] {
+        if self.is_taken[column] || has_layer(parts, name, Domain::Corner) {
             return None;
         }
         let width = corner_width(starts, &self.corner_starts)?;
@@ -117,7 +123,7 @@ impl Rows<'_> {
             return None;
         }
         let values = std::mem::replace(items.as_mut(), Scalar::U8.empty());
-        let uses = corner_uses(starts, &self.corner_starts, corners);
+        let uses = corner_uses(starts, &self.corner_starts, parts.faces.corner_count());
         let carry = carry(&values);
         self.is_taken[column] = true;
         Some(match uses {
@@ -125,6 +131,10 @@ impl Rows<'_> {
             Some(uses) => Layer::indexed(name, Domain::Corner, width, carry, values, uses),
         })
     }
+}
+
+fn has_layer(parts: &Parts, name: &str, domain: Domain) -> bool {
+    parts.layers.iter().any(|layer| layer.name() == name && layer.domain() == domain)
 }
 
 /// How many numbers each corner has, if all lists have as many a corner, or are empty.

@@ -21,7 +21,7 @@ mod write;
 
 use crate::format::Driver;
 use crate::read::{Parsed, Source};
-use crate::text::{is_space, trimmed_start};
+use crate::text::{is_space, trimmed_start, without_mark};
 use crate::{Encoding, Limits, Place, ReadError, ReadErrorKind};
 
 pub(crate) static DRIVER: Driver = Driver {
@@ -72,7 +72,7 @@ fn sniff(bytes: &[u8]) -> bool {
 }
 
 fn begins_with_solid(bytes: &[u8]) -> bool {
-    let start = trimmed_start(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
+    let start = trimmed_start(without_mark(bytes));
     let word = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     word && start.get(5).is_none_or(|&next| is_space(next) || next == 0)
 }

@@ -7,7 +7,7 @@ use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId};
 use crate::layers::{layer_losses, layer_of, loose_losses, metadata_losses};
 use crate::sink::Sink;
 use crate::stl::{HEAD, HEADER, SOLID};
-use crate::text::trimmed;
+use crate::text::{trimmed, without_mark};
 use crate::{Encoding, Loss, LossKind, WriteErrorKind};
 
 pub(super) fn encode(
@@ -51,7 +51,8 @@ fn facet(normal: [f32; 3], points: [[f32; 3]; 3], attribute: u16) -> [u8; 50] {
     bytes
 }
 
-/// The stored header, or an empty one. None begins with `solid`, as a reader may take that for text.
+/// The stored header, or an empty one. None begins with `solid`, also after a byte order mark, as a reader may take that
+/// for text.
 fn header(mesh: &PolygonMesh) -> [u8; HEAD - 4] {
     let stored = mesh.metadata().iter().find(|m| m.key == HEADER).map_or(&[][..], |m| &m.value);
     let prefix: &[u8] = if is_misleading(stored) { b"binary " } else { b"" };
@@ -63,7 +64,7 @@ fn header(mesh: &PolygonMesh) -> [u8; HEAD - 4] {
 }
 
 fn is_misleading(header: &[u8]) -> bool {
-    trimmed(header).get(..5).is_some_and(|start| start.eq_ignore_ascii_case(b"solid"))
+    trimmed(without_mark(header)).get(..5).is_some_and(|start| start.eq_ignore_ascii_case(b"solid"))
 }
 
 fn write_text(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErrorKind> {

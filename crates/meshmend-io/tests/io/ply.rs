@@ -415,3 +415,19 @@ fn a_corner_layer_without_any_value_is_left_out() {
     assert_eq!(losses, []);
     assert!(read(bytes).mesh.layers().is_empty());
 }
+
+/// Names are how layers are told apart, so what would be a second layer of one name stays single numbers.
+#[test]
+fn no_two_layers_of_an_element_have_one_name() {
+    let normals = "property float nx\nproperty float ny\nproperty float nz\nproperty float normal\n";
+    let coordinates = "property float u\nproperty float v\nproperty float s\nproperty float t\n";
+    let lists = "property list uchar float texcoord\nproperty list uchar float corner_texcoord\n";
+    let row = "1 2 3 4 5 6 7 8";
+    let file = triangle(&format!("{normals}{coordinates}"), lists, [row, row, row, "6 1 2 3 4 5 6 3 7 8 9"]);
+    let mesh = read(file).mesh;
+    let names: Vec<_> = mesh.layers().iter().map(|layer| (layer.domain(), layer.name())).collect();
+    let vertex = ["nx", "ny", "nz", "normal", "texcoord", "s", "t"].map(|name| (Domain::Vertex, name));
+    let others = [(Domain::Corner, "texcoord"), (Domain::Face, "corner_texcoord")];
+    assert_eq!(names, [&vertex[..], &others].concat());
+    assert_kept_in_all(&mesh);
+}

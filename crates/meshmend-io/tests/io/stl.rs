@@ -214,10 +214,12 @@ fn what_stl_can_not_carry_is_named() {
 
 #[test]
 fn a_binary_header_never_looks_like_text() {
-    let mesh = read(binary("solid name", 1, 1)).mesh;
-    let (bytes, losses) = written(&mesh, Format::Stl, Encoding::LittleEndian);
-    assert_eq!((losses[0].kind, losses.len()), (LossKind::Names, 1));
-    assert!(bytes.starts_with(b"binary solid name\0"));
+    for header in ["solid name", "\u{feff}Solid name"] {
+        let mesh = read(binary(header, 1, 1)).mesh;
+        let (bytes, losses) = written(&mesh, Format::Stl, Encoding::LittleEndian);
+        assert_eq!((losses[0].kind, losses.len()), (LossKind::Names, 1));
+        assert!(bytes.starts_with(format!("binary {header}\0").as_bytes()));
+    }
 }
 
 #[test]
