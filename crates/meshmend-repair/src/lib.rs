@@ -10,6 +10,7 @@
 //! A [`Plan`] says the same in a file.
 
 mod clean;
+mod coincident;
 mod compact;
 mod cut;
 mod edge_lengths;
@@ -32,6 +33,7 @@ mod weld;
 mod words;
 
 pub use clean::{Clean, NonFinite};
+pub use coincident::coincident_vertices;
 pub use compact::{Compact, LooseElements};
 pub use cut::{
     CutAlong, CutError, CutOpen, CutSeam, Discs, Piece, SquareCut, cut_open, cut_to_discs, cut_to_square,
@@ -47,6 +49,6 @@ pub use recompute::Recompute;
 pub use registry::{AnyPass, PassKind};
 pub use split::{SeamFigures, Seams, Split, SplitEdges};
 pub use triangulate::{Triangulate, TriangulateFaces};
-pub use weld::{Distance, Weld, coincident_vertices};
+pub use weld::{Distance, Weld};
 
 pub(crate) use pass::StoredNames;

@@ -29,6 +29,7 @@ use crate::{Context, Mended, Outcome, Pass, PassError, Seams, Split, SplitEdges,
 mod cycles;
 mod nesting;
 mod patches;
+mod plain;
 mod seams;
 mod uses;
 
@@ -135,6 +136,13 @@ impl KernelTask for Task<'_> {
         let names = StoredNames::new(self.mesh, self.context);
         let cycles = Cycles::of(kernel);
         let count = kernel.face_count();
+        if cycles.is_empty()
+            && self.options.side == Side::Majority
+            && let Some(is_flipped) = plain::flips(kernel)
+        {
+            let is_alive = Column::filled(true, count);
+            return self.outcome(kernel, &cycles, Found { is_alive, is_flipped, non_orientable: Vec::new() });
+        }
         let mut alive = Column::filled(true, count);
         let mut flipped = Column::filled(false, count);
         if !cycles.is_empty() {
@@ -308,27 +316,28 @@ impl Task<'_> {
     fn rebuilt(&self, found: &Found) -> Result<Outcome, PassError> {
         let old = self.mesh.faces();
         let mut builder = FaceTableBuilder::default();
-        let (mut face_sources, mut corner_sources, mut flipped) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut face_sources, mut flipped) = (Vec::new(), Vec::new());
+        let mut corner_sources = Vec::with_capacity(old.corner_count());
         for face in old.faces().filter(|&f| found.is_alive[f]) {
-            let mut corners: Vec<CornerId> = old.face_corners(face).collect();
-            if found.is_flipped[face] && corners.len() > 1 {
-                corners[1..].reverse();
+            let range = old.corner_range(face);
+            let turns = found.is_flipped[face] && range.len() > 1;
+            if turns {
                 flipped.push(FaceId::new(face_sources.len()));
             }
-            builder.push_face(corners.iter().map(|&c| old.corner_vertex(c)));
-            corner_sources.extend(corners.into_iter().map(Some));
+            for place in range.clone() {
+                // Turned round, a face begins with the same corner.
+                let is_first = place == range.start;
+                let corner = if turns && !is_first { range.start + range.end - place } else { place };
+                let corner = CornerId::new(corner);
+                builder.push_corner(old.corner_vertex(corner));
+                corner_sources.push(Some(corner));
+            }
+            builder.end_face();
             face_sources.push(Some(face));
         }
         let faces = builder.build(old.vertex_count())?;
-        let draft = Draft {
-            flipped,
-            ..Draft::of_faces(
-                self.mesh,
-                faces,
-                Sources::listed(face_sources),
-                Sources::listed(corner_sources),
-            )
-        };
+        let (faces_from, corners_from) = (Sources::listed(face_sources), Sources::listed(corner_sources));
+        let draft = Draft { flipped, ..Draft::of_faces(self.mesh, faces, faces_from, corners_from) };
         Ok(Outcome::changed(self.mesh.rebuild(draft)?, Mended::default()))
     }
 
@@ -349,6 +358,9 @@ impl Task<'_> {
 
     /// Opposite duplicates, by the new faces' ids.
     fn opposite_left(&self, cycles: &Cycles, found: &Found) -> Vec<Defect> {
+        if cycles.is_empty() {
+            return Vec::new();
+        }
         let all: Vec<FaceId> = found.is_alive.iter().map(|(face, _)| face).collect();
         let new_id = self.new_ids(found, &all);
         let mut left = Vec::new();

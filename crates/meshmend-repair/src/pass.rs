@@ -188,6 +188,11 @@ impl<'a> StoredNames<'a> {
         StoredNames { mesh, complex: mesh.complex(), history }
     }
 
+    /// Whether the names are the present vertices.
+    pub(crate) fn are_present(&self) -> bool {
+        self.history.is_none()
+    }
+
     /// How many names there are.
     pub(crate) fn count(&self) -> usize {
         self.stored_count() + self.history.map_or(0, |_| self.mesh.counts().vertices)

@@ -18,7 +18,7 @@
 
 use meshmend_core::{
     Blend, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeClass, FaceTableBuilder, Id, PolygonMesh,
-    Sources, VertexClass, VertexId, edge_class, vertex_classes,
+    Sources, VertexClass, VertexId, edge_class, is_inconsistent, vertex_classes,
 };
 use meshmend_kernels::KernelTask;
 use serde::{Deserialize, Serialize};
@@ -31,6 +31,7 @@ mod radial;
 mod seams;
 mod sheets;
 mod subdivide;
+mod whole;
 
 use classes::NewVertices;
 pub use seams::SeamFigures;
@@ -116,6 +117,9 @@ impl KernelTask for Task<'_> {
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
         let stored = StoredNames::new(self.mesh, self.context);
+        if self.is_whole(kernel, &stored) {
+            return Ok(Outcome::unchanged(self.mesh));
+        }
         let mut matching = Matching::by_rules(kernel, &stored);
         let seam = match self.options.seams {
             Seams::Keep => Vec::new(),
@@ -159,6 +163,13 @@ fn joined_as_stored<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Vec
 }
 
 impl Task<'_> {
+    /// Whether there is nothing to split, as far as can be seen without a matching.
+    fn is_whole<K: Connectivity>(&self, kernel: &K, names: &StoredNames<'_>) -> bool {
+        let clashes = || kernel.edges().any(|edge| is_inconsistent(kernel, edge));
+        let has_no_seam = self.options.seams == Seams::Keep || !clashes();
+        has_no_seam && whole::is_manifold(kernel) && whole::keeps_names(kernel, self.mesh, names)
+    }
+
     fn outcome<K: Connectivity>(
         &self,
         kernel: &K,

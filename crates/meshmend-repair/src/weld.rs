@@ -12,14 +12,14 @@
 //!
 //! *Promises* no coincident vertices. *Requires* nothing. *May introduce* degenerate faces, duplicates and
 //! non-manifold edges and vertices: in a pipeline `orient` and `split` keep apart again what would leave the mesh
-//! non-manifold, so that there welding is stitching and can't make a mesh worse. *Cost*: O(n log n) exact; see the
+//! non-manifold, so that there welding is stitching and can't make a mesh worse. *Cost*: linear where exact; see the
 //! grid for tolerance.
 
 use meshmend_core::{DefectKind, Draft, FaceTable, Id, PolygonMesh, Sources, VertexId};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Mended, Outcome, Pass, PassError, near};
+use crate::{Context, Mended, Outcome, Pass, PassError, coincident_vertices, near};
 
 /// Joins vertices that are in the same place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -78,35 +78,6 @@ impl Pass for Weld {
         };
         join_to(mesh, lowest)
     }
-}
-
-/// For each vertex the lowest one at the same position: −0 equals 0, and what is not finite equals nothing.
-///
-/// *Cost*: one sort of the finite positions.
-pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
-    let positions = mesh.positions();
-    let mut lowest: Vec<VertexId> = (0..positions.len()).map(VertexId::new).collect();
-    let finite = |v: usize| positions[v].iter().all(|x| x.is_finite());
-    if positions.par_iter().all(|p| p.iter().all(|&x| f64::from(x as f32) == x)) {
-        let key = |v: usize| {
-            let [x, y, z] = positions[v].map(|x| u128::from((x as f32 + 0.0).to_bits()));
-            x << 96 | y << 64 | z << 32 | v as u128
-        };
-        let mut keys: Vec<u128> =
-            (0..positions.len()).into_par_iter().filter(|&v| finite(v)).map(key).collect();
-        keys.par_sort_unstable();
-        for run in keys.chunk_by(|one, other| one >> 32 == other >> 32) {
-            run.iter().for_each(|&key| lowest[key as u32 as usize] = VertexId(run[0] as u32));
-        }
-    } else {
-        let key = |v: usize| (positions[v].map(|x| (x + 0.0).to_bits()), v as u32);
-        let mut keys: Vec<_> = (0..positions.len()).into_par_iter().filter(|&v| finite(v)).map(key).collect();
-        keys.par_sort_unstable();
-        for run in keys.chunk_by(|one, other| one.0 == other.0) {
-            run.iter().for_each(|key| lowest[key.1 as usize] = VertexId(run[0].1));
-        }
-    }
-    lowest
 }
 
 fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec<VertexId>, PassError> {

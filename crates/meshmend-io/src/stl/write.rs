@@ -158,11 +158,14 @@ fn normal(points: [[f32; 3]; 3]) -> [f32; 3] {
     if scale.is_finite() { cross.map(|x| (x * scale) as f32) } else { [0.0; 3] }
 }
 
+/// The layer whose numbers are written. Zeros alone are what a file without attributes has, and would be read as none.
 fn attribute_layer(mesh: &PolygonMesh) -> Option<(&Layer, &[u16])> {
     let layer = layer_of(mesh, "attribute", Domain::Face, |layer| {
         matches!(layer.values(), Values::U16(_)) && layer.width() == 1
     })?;
-    if let Values::U16(values) = layer.values() { Some((layer, values)) } else { None }
+    let Values::U16(values) = layer.values() else { return None };
+    let is_set = |face| layer.value_of(face).is_some_and(|value| values[value] != 0);
+    (0..layer.element_count()).any(is_set).then_some((layer, values))
 }
 
 fn object_layer(mesh: &PolygonMesh) -> Option<(&Layer, &[Vec<u8>])> {

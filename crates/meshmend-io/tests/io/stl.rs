@@ -3,9 +3,10 @@
 use crate::common::{
     assert_kept, faces, layer, names, note, read as read_as, refused as refused_as, try_read, written,
 };
-use meshmend_core::{Domain, FaceTable, PolygonMesh, Values, VertexId};
+use meshmend_core::{Carry, Domain, FaceTable, Layer, PolygonMesh, Values, VertexId};
 use meshmend_io::{
-    Encoding, Format, Limits, LossKind, NoteKind, Place, ReadErrorKind, ReadFile, ReadOptions, read_bytes,
+    Encoding, Format, Limits, Loss, LossKind, NoteKind, Place, ReadErrorKind, ReadFile, ReadOptions,
+    read_bytes,
 };
 
 fn read(bytes: impl AsRef<[u8]>) -> ReadFile {
@@ -220,6 +221,20 @@ fn a_binary_header_never_looks_like_text() {
         assert_eq!((losses[0].kind, losses.len()), (LossKind::Names, 1));
         assert!(bytes.starts_with(format!("binary {header}\0").as_bytes()));
     }
+}
+
+/// A file has a number for every facet, so zeros alone say nothing.
+#[test]
+fn attributes_that_are_all_zero_are_named_as_lost() {
+    let attributes = |second| {
+        let layer = Layer::direct("attribute", Domain::Face, 1, Carry::Copy, Values::U16(vec![0, second]));
+        read(binary("", 2, 2)).mesh.with_layers(vec![layer]).unwrap()
+    };
+    let is_lost = |losses: &[Loss]| losses.iter().any(|loss| loss.kind == LossKind::Layer);
+    let (bytes, losses) = written(&attributes(0), Format::Stl, Encoding::LittleEndian);
+    assert_eq!((is_lost(&losses), read(bytes).mesh.layers()), (true, &[][..]));
+    let (bytes, losses) = written(&attributes(7), Format::Stl, Encoding::LittleEndian);
+    assert_eq!((is_lost(&losses), read(bytes).mesh.layers()), (false, attributes(7).layers()));
 }
 
 #[test]

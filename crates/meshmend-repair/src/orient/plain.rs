@@ -1,0 +1,36 @@
+//! The sides of meshes whose every edge has one side or two, all of whose patches are orientable.
+//!
+//! Most meshes are like this. There all sides across edges are matched, so the patches are those of the topology; they
+//! come together at once, so the majority of each decides alone; and without duplicates none drops out.
+
+use meshmend_core::{Column, Connectivity, EdgeClass, FaceId, edge_class, is_inconsistent};
+use meshmend_topology::{Patches, Side, patches};
+
+/// Which faces are to be flipped so that each patch runs as most of its faces do, and on a tie as its lowest face does.
+/// Nothing where an edge has three sides or more, or a patch is not orientable.
+pub(super) fn flips<K: Connectivity>(kernel: &K) -> Option<Column<FaceId, bool>> {
+    if kernel.edges().any(|edge| edge_class(kernel, edge) == EdgeClass::NonManifold) {
+        return None;
+    }
+    let mut is_flipped = Column::filled(false, kernel.face_count());
+    if !kernel.edges().any(|edge| is_inconsistent(kernel, edge)) {
+        return Some(is_flipped);
+    }
+    let patches = patches(kernel);
+    for patch in patches.ids() {
+        if !patches.is_orientable(patch) {
+            return None;
+        }
+        let minority = minority(&patches, patches.faces(patch));
+        for &face in patches.faces(patch) {
+            is_flipped[face] = patches.side(face) == minority;
+        }
+    }
+    Some(is_flipped)
+}
+
+/// The side that fewer faces of a patch have, and on a tie not its lowest face.
+fn minority(patches: &Patches, faces: &[FaceId]) -> Side {
+    let reversed = faces.iter().filter(|&&face| patches.side(face) == Side::Reversed).count();
+    if 2 * reversed <= faces.len() { Side::Reversed } else { Side::Same }
+}
