@@ -252,7 +252,7 @@ impl PolygonMesh {
             None => uses[draft.faces.corner_vertex(new).index()],
         });
         let by_corner = by_corner.collect();
-        layer.with_uses(Domain::Corner, by_corner).with_vertex_uses(uses)
+        settled(layer, by_corner, uses, &draft.faces)
     }
 
     /// What each new vertex uses: its source's value, or for a created one a blend.
@@ -291,17 +291,25 @@ impl PolygonMesh {
     }
 }
 
-/// A vertex layer that had moved to the corners, back on the vertices if no vertex has corners that differ.
+/// A vertex layer by corners: back on the vertices if no vertex has corners that differ.
+///
+/// A vertex's own value is that of its corners where these agree, so that it hangs on the mesh as it is, and not on the
+/// way to it.
 fn settled(layer: Layer, uses: Vec<u32>, mut vertex_uses: Vec<u32>, faces: &FaceTable) -> Layer {
-    let mut is_set = vec![false; vertex_uses.len()];
+    let mut seen: Vec<Option<u32>> = vec![None; vertex_uses.len()];
+    let mut differs = vec![false; vertex_uses.len()];
     for corner in faces.corners() {
         let (v, value) = (faces.corner_vertex(corner).index(), uses[corner.index()]);
-        if is_set[v] && !layer.same_value(vertex_uses[v], value) {
-            return layer.with_uses(Domain::Corner, uses).with_vertex_uses(vertex_uses);
-        }
-        (is_set[v], vertex_uses[v]) = (true, value);
+        differs[v] |= !layer.same_value(*seen[v].get_or_insert(value), value);
     }
-    layer.with_uses(Domain::Vertex, vertex_uses).without_vertex_uses()
+    for (vertex, own) in vertex_uses.iter_mut().enumerate() {
+        *own = seen[vertex].filter(|_| !differs[vertex]).unwrap_or(*own);
+    }
+    if differs.contains(&true) {
+        layer.with_uses(Domain::Corner, uses).with_vertex_uses(vertex_uses)
+    } else {
+        layer.with_uses(Domain::Vertex, vertex_uses).without_vertex_uses()
+    }
 }
 
 fn check_counts(draft: &Draft) -> Result<(), DraftError> {

@@ -190,7 +190,12 @@ struct Run {
     passes: Vec<PassRecord>,
     removed_faces: Vec<RemovedFace>,
     report: Option<Box<TopologyReport>>,
-    figures: Option<Figures>,
+    takes_figures: bool,
+    /// The figures of the mesh before each pass that changed it, and in the end of the last mesh, if asked for.
+    figures: Vec<Figures>,
+    /// How often the mesh has changed, and how often it had before and after each pass.
+    changes: usize,
+    spans: Vec<[usize; 2]>,
 }
 
 impl Run {
@@ -201,30 +206,40 @@ impl Run {
             passes: Vec::new(),
             removed_faces: Vec::new(),
             report: None,
-            figures: takes_figures.then(|| Figures::of(mesh)),
+            takes_figures,
+            figures: Vec::new(),
+            changes: 0,
+            spans: Vec::new(),
         }
     }
 
     fn record(&mut self, pass: PassKind, outcome: Outcome) {
         let is_changed = !outcome.provenance.is_same() || !outcome.mended.is_empty();
-        let before = self.figures;
+        let before = self.changes;
         if is_changed {
             self.name_removed_faces(pass, &outcome);
             self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
-            self.figures = before.map(|_| Figures::of(&outcome.mesh));
+            self.figures.extend(self.figures());
+            self.changes += 1;
             self.report = None;
         }
         self.mesh = outcome.mesh;
         self.report = outcome.report.or(self.report.take());
-        let figures = before.zip(self.figures).map(|(before, after)| [before, after]);
+        self.spans.push([before, self.changes]);
         self.passes.push(PassRecord {
             pass,
             is_changed,
             mended: outcome.mended,
             left: outcome.left,
-            figures,
+            figures: None,
             seam: outcome.seam,
         });
+    }
+
+    /// The figures of the present mesh, if they are asked for.
+    fn figures(&self) -> Option<Figures> {
+        let of_mesh = || self.report.as_deref().map_or_else(|| Figures::of(&self.mesh), Figures::of_report);
+        self.takes_figures.then(of_mesh)
     }
 
     /// Finds, for each face of which this pass left nothing, the defect that names it.
@@ -245,7 +260,12 @@ impl Run {
         }
     }
 
-    fn finish(self) -> Repaired {
+    fn finish(mut self) -> Repaired {
+        self.figures.extend(self.figures());
+        if self.takes_figures {
+            let spans = self.passes.iter_mut().zip(&self.spans);
+            spans.for_each(|(record, span)| record.figures = Some(span.map(|at| self.figures[at])));
+        }
         let provenance = self.history.provenance().clone();
         let survives = provenance.faces.survivors(provenance.before.faces);
         let mut removed_faces = self.removed_faces;
