@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn the_less_crowded_end_is_looked_round() {
         // A fan about v0: every spoke has a crowded end, so looking round that one would take quadratic time.
-        let count = 200_000u32;
+        let count = if cfg!(miri) { 200 } else { 200_000u32 };
         let corners = (1..count).flat_map(|v| [0, v, v + 1].map(VertexId)).collect();
         let faces = FaceTable::triangles(count as usize + 1, corners).unwrap();
         let kernel = FaceVertex::assemble(&Complex::of(&Arc::new(faces)));

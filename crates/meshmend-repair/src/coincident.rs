@@ -23,7 +23,11 @@ const NO_VERTEX: u32 = u32::MAX;
 ///
 /// *Cost*: linear; 20 bytes a vertex where all coordinates are single precision, else 36.
 pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
-    let positions = mesh.positions();
+    coincident_points(mesh.positions())
+}
+
+/// The same for any points.
+pub(crate) fn coincident_points(positions: &[[f64; 3]]) -> Vec<VertexId> {
     if positions.par_iter().all(|p| p.iter().all(|&x| f64::from(x as f32) == x)) {
         lowest_of_equal(positions, |p| p.map(|x| (x as f32 + 0.0).to_bits()))
     } else {

@@ -3,11 +3,14 @@
 //! Space is divided into cubes so small that any two points in one cube are near. Then only pairs of points in
 //! different cubes up to two steps apart have to be measured, and only while the cubes are not joined already.
 //! The cubes that hold points are sorted, and for each of the steps in (x, y) a pointer runs along once.
+//!
+//! Points in the same place are one point to all of this.
 
 use meshmend_core::VertexId;
 use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
+use crate::coincident::coincident_points;
 use crate::{Context, PassError};
 
 /// The side of a cube in parts of the distance: a little under 1/√3, so that its diagonal is within it.
@@ -41,11 +44,13 @@ pub(crate) fn classes(
         return Err(PassError::Request { pass: "weld", reason });
     }
     let cube_of = |p: &[f64; 3]| p.map(|x| (x / side).floor() as i64);
+    let same = coincident_points(points);
     let mut keyed: Vec<(Cube, u32)> = points
         .par_iter()
+        .zip(&same)
         .zip(0..points.len() as u32)
-        .filter(|(p, _)| finite(p))
-        .map(|(p, v)| (cube_of(p), v))
+        .filter(|((p, lowest), v)| lowest.0 == *v && finite(p))
+        .map(|((p, _), v)| (cube_of(p), v))
         .collect();
     keyed.par_sort_unstable();
     let mut near = Near { points, epsilon, classes: UnionFind::new(points.len()) };
@@ -61,7 +66,7 @@ pub(crate) fn classes(
             near.join_across(&cubes, dx, dy);
         }
     }
-    Ok(near.lowest())
+    Ok(near.lowest(&same))
 }
 
 /// The bounding box's diagonal, finite points only; halved on the way so that it can't overflow early.
@@ -118,14 +123,14 @@ impl Near<'_> {
         parts.iter().map(|part| part * part).sum::<f64>() <= 1.0
     }
 
-    fn lowest(&mut self) -> Vec<VertexId> {
-        let count = self.points.len();
-        let mut lowest = vec![u32::MAX; count];
-        for v in 0..count as u32 {
-            let root = self.classes.find_mut(v) as usize;
+    /// The lowest point of the class of each point, given the lowest one in the same place.
+    fn lowest(&mut self, same: &[VertexId]) -> Vec<VertexId> {
+        let mut lowest = vec![VertexId(u32::MAX); same.len()];
+        for &v in same {
+            let root = self.classes.find_mut(v.0) as usize;
             lowest[root] = lowest[root].min(v);
         }
-        (0..count as u32).map(|v| VertexId(lowest[self.classes.find(v) as usize])).collect()
+        same.iter().map(|v| lowest[self.classes.find(v.0) as usize]).collect()
     }
 }
 

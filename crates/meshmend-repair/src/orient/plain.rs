@@ -9,11 +9,16 @@ use meshmend_topology::{Patches, Side, patches};
 /// Which faces are to be flipped so that each patch runs as most of its faces do, and on a tie as its lowest face does.
 /// Nothing where an edge has three sides or more, or a patch is not orientable.
 pub(super) fn flips<K: Connectivity>(kernel: &K) -> Option<Column<FaceId, bool>> {
-    if kernel.edges().any(|edge| edge_class(kernel, edge) == EdgeClass::NonManifold) {
-        return None;
+    let mut is_consistent = true;
+    for edge in kernel.edges() {
+        match edge_class(kernel, edge) {
+            EdgeClass::Boundary => {}
+            EdgeClass::Interior => is_consistent = is_consistent && !is_inconsistent(kernel, edge),
+            EdgeClass::NonManifold => return None,
+        }
     }
     let mut is_flipped = Column::filled(false, kernel.face_count());
-    if !kernel.edges().any(|edge| is_inconsistent(kernel, edge)) {
+    if is_consistent {
         return Some(is_flipped);
     }
     let patches = patches(kernel);
