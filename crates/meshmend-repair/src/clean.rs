@@ -269,4 +269,16 @@ mod tests {
         let repaired = plan.pipeline().run(&soup.mesh()).unwrap();
         assert_eq!(repaired.mesh.counts().faces, 3 * 4 + 1);
     }
+
+    /// A triangle at the first vertex, and beyond many others three that are created.
+    #[test]
+    fn created_vertices_are_no_stored_ones_however_many_there_are() {
+        let mut soup = Soup::generic(4, [[0, 1, 2, 3], [0, 2, 1, 3], [0, 1, 3, 2]]);
+        soup.positions.resize(1 << 16, [0.0; 3]);
+        soup.faces.extend([[1, 2, 0], [2, 3, 0], [3, 1, 0]].map(Vec::from));
+        let mut plan = Plan { passes: vec![PassKind::Triangulate, PassKind::Clean], ..Plan::default() };
+        plan.triangulate.faces = TriangulateFaces::All;
+        let repaired = plan.pipeline().run(&soup.mesh()).unwrap();
+        assert_eq!(repaired.mesh.counts().faces, 3 * 4 + 3);
+    }
 }

@@ -188,9 +188,17 @@ mod tests {
     }
 
     #[test]
+    fn coordinates_are_resolved_as_far_as_a_place_in_cubes_goes() {
+        let largest = SIDE * LARGEST_QUOTIENT;
+        assert_eq!(lowest(&[[largest, 0.0, 0.0], [largest - 1.0, 0.0, 0.0], [1.5; 3]], 1.0), [0, 0, 2]);
+        assert!(classes(&[[largest.next_up(), 0.0, 0.0]], 1.0, &Context::default()).is_err());
+    }
+
+    #[test]
     fn the_diagonal_of_a_huge_box_is_finite() {
         assert_eq!(diagonal(&[[-1e308; 3], [1e308; 3]]), f64::MAX);
         assert_eq!(diagonal(&[[0.0; 3], [2.0, 3.0, 6.0], [f64::NAN; 3]]), 7.0);
+        assert_eq!(diagonal(&[[-1.0, 5.0, -4.0], [1.0, 2.0, 2.0]]), 7.0);
         assert_eq!(diagonal(&[]), 0.0);
     }
 }

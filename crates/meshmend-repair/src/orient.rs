@@ -33,7 +33,7 @@ mod plain;
 mod seams;
 mod uses;
 
-use cycles::{Cycles, least_other};
+use cycles::Cycles;
 use patches::{Contradiction, Patches, Sides};
 use uses::LiveUses;
 
@@ -297,17 +297,14 @@ impl Task<'_> {
 
     fn dropped(&self, cycles: &Cycles, found: &Found) -> Vec<Defect> {
         let gone = found.is_alive.iter().filter(|(_, alive)| !**alive).map(|(face, _)| face);
-        let double_of = |face: FaceId| {
-            let group = cycles.group_of(face).map_or(&[][..], |group| &cycles.groups()[group]);
-            least_other(group, face, &found.is_alive)
-        };
+        let turned = |f: FaceId| cycles.runs_backward(f, found.is_flipped[f]);
         gone.map(|face| {
-            let original = double_of(face);
-            let turned = |f: FaceId| cycles.runs_backward(f, found.is_flipped[f]);
-            if found.is_alive[original] && turned(original) == turned(face) {
-                Defect::DuplicateFace { face, original }
-            } else {
-                Defect::OppositeFace { face, original }
+            let group = cycles.group_of(face).map_or(&[][..], |group| &cycles.groups()[group]);
+            match group.iter().copied().find(|&f| found.is_alive[f]) {
+                Some(original) if turned(original) == turned(face) => {
+                    Defect::DuplicateFace { face, original }
+                }
+                original => Defect::OppositeFace { face, original: original.unwrap_or(face) },
             }
         })
         .collect()

@@ -302,11 +302,11 @@ mod tests {
     }
 
     /// The failure of a pipeline whose passes left everything as it was.
-    fn promise_of_the_lazy(soup: &Soup) -> Option<PassError> {
+    fn promise_of_the_lazy(pipeline: &Pipeline, soup: &Soup) -> Option<PassError> {
         let mesh = soup.mesh();
         let mut run = Run::begin(&mesh, false);
         run.report = Some(Box::new(topology(&EdgeUse::assemble(mesh.complex()), &mesh)));
-        Pipeline::default().check_promises(&run).err()
+        pipeline.check_promises(&run).err()
     }
 
     #[test]
@@ -343,7 +343,7 @@ mod tests {
             (failure(&no_distance, &triangle), "weld: a tolerance of -1 is no distance"),
             (Pipeline::default().run_watched(&mesh, Some(&stop), |_| {}).unwrap_err(), "cancelled"),
             (
-                promise_of_the_lazy(&shapes::book(3).soup).unwrap(),
+                promise_of_the_lazy(&Pipeline::default(), &shapes::book(3).soup).unwrap(),
                 "the pipeline broke its promise, which is a mistake of this program: e0 v0-v1 has 3 sides",
             ),
             (
@@ -356,5 +356,16 @@ mod tests {
             cases,
             PassError { Refused, Policy, Request, Cancelled, Promise, Table, Draft }
         );
+    }
+
+    #[test]
+    fn sides_that_clash_are_a_broken_promise_where_there_is_a_consistent_side() {
+        let pipeline = Plan::default().without(PassKind::Split).pipeline();
+        let clashing = promise_of_the_lazy(&pipeline, &Soup::generic(4, [[0, 1, 2], [1, 2, 3]]));
+        let Some(PassError::Promise { defect: Defect::InconsistentEdge { .. }, .. }) = clashing else {
+            panic!("{clashing:?}")
+        };
+        let band = shapes::moebius_band(6, 1, shapes::Tiles::Quads).soup;
+        assert!(promise_of_the_lazy(&pipeline, &band).is_none());
     }
 }

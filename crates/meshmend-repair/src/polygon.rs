@@ -191,6 +191,39 @@ mod tests {
     }
 
     #[test]
+    fn a_triangle_costs_more_the_worse_its_shape_is() {
+        let up = [0.0, 0.0, 1.0];
+        let cost = |[x, y]: [f64; 2], size: f64, normal| {
+            triangle_cost([[0.0; 3], [size, 0.0, 0.0], [x * size, y * size, 0.0]], normal)
+        };
+        let even = [0.5, 0.75f64.sqrt()];
+        for size in [0.01, 1.0, 100.0] {
+            assert!((cost(even, size, up) - 1.0).abs() < 1e-12);
+            // Of the sides' squares, 1 + 1 + 2, a right angle makes half an area.
+            assert!((cost([0.0, 1.0], size, up) - 2.0 / 3.0f64.sqrt()).abs() < 1e-12);
+        }
+        let [proper, folded, flat] =
+            [cost(even, 1.0, up), cost(even, 1.0, [0.0, 0.0, -1.0]), cost([0.5, 0.0], 1.0, up)];
+        assert!(proper < folded && folded < flat && flat.is_finite());
+    }
+
+    #[test]
+    fn a_straight_corner_is_no_triangle_of_its_own() {
+        let points = flat(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [1.0, 1.0]]);
+        let triangles = triangulate_polygon(&points, &|_, _| false).unwrap();
+        assert!(triangles.iter().all(|t| t.contains(&1) && t.contains(&3)), "{triangles:?}");
+    }
+
+    #[test]
+    fn triangles_that_list_a_corner_twice_or_leave_a_side_open_are_no_triangulation() {
+        assert!(is_triangulation(5, &[[0, 1, 2], [0, 2, 4], [2, 3, 4]]));
+        assert!(!is_triangulation(5, &[[0, 1, 2], [0, 2, 4]]));
+        assert!(!is_triangulation(5, &[[0, 1, 2], [0, 2, 4], [1, 3, 4]]));
+        assert!(!is_triangulation(5, &[[0, 1, 2], [0, 1, 2], [2, 3, 4]]));
+        assert!(!is_triangulation(6, &[[0, 0, 2], [0, 0, 3], [1, 1, 4], [1, 1, 5]]));
+    }
+
+    #[test]
     fn a_dart_is_cut_at_its_reflex_corner() {
         let dart = flat(&[[0.0, 0.0], [2.0, 2.0], [0.0, 1.0], [-2.0, 2.0]]);
         let triangles = triangulate_polygon(&dart, &|_, _| false).unwrap();

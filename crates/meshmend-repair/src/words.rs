@@ -111,6 +111,7 @@ mod tests {
         assert_eq!(split(&[0, 0, 1, 2]), (vec![vec![0, 2, 3]], None));
         assert_eq!(split(&[0, 1, 2, 3, 2]), (vec![vec![0, 1, 2]], None));
         assert_eq!(split(&[3, 0, 1, 2, 0]), (vec![vec![1, 2, 3]], None));
+        assert_eq!(split(&[0, 1, 2, 0, 3]), (vec![vec![0, 1, 2]], None));
         assert_eq!(split(&[0, 1, 2, 1]), (vec![], None));
     }
 

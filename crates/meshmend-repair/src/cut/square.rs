@@ -160,6 +160,7 @@ fn shortest_way(
 #[cfg(test)]
 mod tests {
     use meshmend_core::PolygonMesh;
+    use meshmend_testkit::Soup;
     use meshmend_testkit::shapes::{
         Closed, Shape, Tiles, klein_bottle, seven_vertex_torus, surface, tetrahedron, torus,
     };
@@ -203,6 +204,52 @@ mod tests {
                 assert_eq!(side(i), opposite, "{}", shape.name);
             }
         }
+    }
+
+    /// A torus of four columns, each as many edges high but for one, which is an edge shorter.
+    fn with_a_short_column(short: u32, rows: u32) -> Soup {
+        let at = |column: u32, row: u32| (row % rows) * 4 + column % 4;
+        let between =
+            |column: u32, row: u32| (row == 0 && column % 4 != short).then_some(4 * rows + column % 4);
+        let face = |column: u32, row: u32| -> Vec<u32> {
+            let right = [Some(at(column + 1, row)), between(column + 1, row), Some(at(column + 1, row + 1))];
+            let left = [Some(at(column, row + 1)), between(column, row), Some(at(column, row))];
+            right.into_iter().chain(left).flatten().collect()
+        };
+        let cells = (0..rows).flat_map(|row| (0..4).map(move |column| (column, row)));
+        Soup::generic(4 * rows as usize + 4, cells.map(|(column, row)| face(column, row)))
+    }
+
+    #[test]
+    fn the_paths_meet_where_the_second_is_shortest() {
+        for short in 0..4 {
+            let mesh = with_a_short_column(short, 5).mesh();
+            let cut = cut_to_square(&mesh).unwrap().unwrap();
+            assert_eq!(cut.seams.len(), 4 + 5);
+            let meeting = cut.corners.map(|corner| cut.provenance.vertices.of(corner).unwrap().0 % 4);
+            assert_eq!(meeting, [short; 4]);
+        }
+    }
+
+    #[test]
+    fn of_second_paths_as_short_the_one_from_where_the_first_begins_is_taken() {
+        let mesh = torus(4, 6, Tiles::Quads).soup.mesh();
+        let first = way_round(&mesh).unwrap().unwrap();
+        let cut = cut_to_square(&mesh).unwrap().unwrap();
+        assert_eq!(cut.corners.map(|corner| cut.provenance.vertices.of(corner)), [Some(first[0]); 4]);
+    }
+
+    /// Four faces side by side round a tube whose ends are joined with half a turn. The shortest way round is along the
+    /// joint, and all that leaves it at one vertex comes back at the opposite one.
+    #[test]
+    fn a_torus_too_coarse_for_a_second_path_has_no_square() {
+        let face = |i: u32| {
+            let next = (i + 1) % 4;
+            [i, next, 4 + next, 8 + next, (next + 2) % 4, (i + 2) % 4, 8 + i, 4 + i]
+        };
+        let mesh = Soup::generic(12, (0..4).map(face)).mesh();
+        assert_eq!(way_round(&mesh).unwrap().map(|path| path.len()), Some(4));
+        assert!(cut_to_square(&mesh).unwrap().is_none());
     }
 
     /// How many edges join two vertices of a path that do not follow one another.

@@ -85,3 +85,36 @@ fn solid_angle(a: Point, b: Point, c: Point) -> f64 {
     let volume = dot(a, cross(b, c));
     2.0 * volume.atan2(x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    #[test]
+    fn an_octant_is_an_eighth_of_the_sphere_however_far_its_corners_are() {
+        let [a, b, c] = [[2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 5.0]];
+        assert!((solid_angle(a, b, c) - PI / 2.0).abs() < 1e-12);
+        assert!((solid_angle(b, a, c) + PI / 2.0).abs() < 1e-12);
+    }
+
+    /// A regular tetrahedron, seen from places near one corner and another, and from outside.
+    #[test]
+    fn the_faces_round_a_point_make_up_a_whole_sphere_and_those_beside_it_nothing() {
+        let corners = [[1.0; 3], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+        let seen_from = |point: Point| -> f64 {
+            let [a, b, c, d] = corners.map(|corner| minus(corner, point));
+            [[a, b, c], [a, c, d], [a, d, b], [b, d, c]].map(|[a, b, c]| solid_angle(a, b, c)).iter().sum()
+        };
+        for (point, whole) in
+            [([0.0; 3], 1.0), ([0.7, 0.6, 0.7], 1.0), ([0.5, -0.6, -0.4], 1.0), ([1.1; 3], 0.0)]
+        {
+            assert!(
+                (seen_from(point).abs() - whole * 4.0 * PI).abs() < 1e-9,
+                "{point:?}: {}",
+                seen_from(point)
+            );
+        }
+    }
+}

@@ -239,4 +239,11 @@ mod tests {
             by_monotone_pieces(vec![[point; 2]; 100]);
         }
     }
+
+    #[test]
+    fn one_or_two_corners_make_no_triangle() {
+        for count in [1, 2] {
+            assert_eq!(by_monotone_pieces(vec![[1.0; 2]; count]), [[0; 3]; 0]);
+        }
+    }
 }

@@ -181,7 +181,8 @@ impl<K: Connectivity> Round<'_, K> {
             }
         }
         while let (Some(&first), Some(&last)) = (stack.front(), stack.back()) {
-            if stack.len() < 2 || !wanted(self, last, first) {
+            // A use left alone is both, and runs the same way as itself.
+            if !wanted(self, last, first) {
                 break;
             }
             stack.pop_back();

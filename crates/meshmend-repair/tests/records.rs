@@ -1,0 +1,141 @@
+//! What passes say that they mended and left, and which elements of the mesh as stored are behind those of the result.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test stops where it fails")]
+
+use meshmend_core::{Defect, DefectKind, EdgeId, FaceId, VertexId};
+use meshmend_repair::{
+    Clean, Context, Distance, Duplicates, Orient, Outcome, Pass, PassKind, Plan, Repaired, Split, SplitEdges,
+    TriangulateFaces,
+};
+use meshmend_testkit::{Soup, shapes};
+
+/// What a pass does to a mesh to which nothing was done before.
+fn alone(pass: &impl Pass, soup: &Soup) -> Outcome {
+    pass.apply(&soup.mesh(), &Context::default()).unwrap()
+}
+
+/// What some passes do with the options of a plan.
+fn in_a_row(passes: &[PassKind], plan: Plan, soup: &Soup) -> Repaired {
+    Plan { passes: passes.to_vec(), ..plan }.pipeline().run(&soup.mesh()).unwrap()
+}
+
+fn mended(outcome: &Outcome) -> Vec<Defect> {
+    outcome.mended.iter().collect()
+}
+
+#[test]
+fn clean_names_a_repeated_triangle_with_the_first_of_its_kind() {
+    let soup = Soup::generic(6, [[3, 4, 5], [0, 1, 2], [0, 2, 1], [1, 2, 0]]);
+    let cleaned = alone(&Clean::default(), &soup);
+    assert_eq!(mended(&cleaned), [Defect::DuplicateFace { face: FaceId(3), original: FaceId(1) }]);
+    assert_eq!(Soup::of_mesh(&cleaned.mesh).faces, soup.faces[..3]);
+}
+
+#[test]
+fn orient_has_nothing_to_say_of_a_mesh_that_is_oriented() {
+    for shape in [shapes::tetrahedron(), shapes::fan(5), shapes::torus(5, 4, shapes::Tiles::Quads)] {
+        let outcome = alone(&Orient::default(), &shape.soup);
+        assert_eq!((mended(&outcome), outcome.left), (vec![], vec![]), "{}", shape.name);
+    }
+}
+
+/// Two triangles whose common edge both run the same way, and another two.
+#[test]
+fn on_a_tie_the_lowest_face_of_a_patch_stays() {
+    let outcome = alone(&Orient::default(), &Soup::generic(8, [[0, 1, 2], [1, 2, 3], [4, 5, 6], [4, 7, 6]]));
+    assert_eq!(outcome.provenance.flipped, [1, 3].map(FaceId));
+}
+
+/// A triangle apart, a triangle, and another one in the same place.
+#[test]
+fn orient_names_a_dropped_face_with_the_one_that_stays() {
+    let mut soup = Soup::generic(6, [[3, 4, 5], [0, 1, 2], [6, 7, 8]]);
+    soup.positions.extend_from_within(..3);
+    let repaired = in_a_row(&[PassKind::Weld, PassKind::Orient], Plan::default(), &soup);
+    let named: Vec<Defect> = repaired.passes[1].mended.iter().collect();
+    assert_eq!(named, [Defect::DuplicateFace { face: FaceId(2), original: FaceId(1) }]);
+}
+
+#[test]
+fn opposite_faces_are_called_so_whether_they_stay_or_go() {
+    let wall = Soup::generic(6, [[3, 4, 5], [0, 1, 2], [0, 2, 1]]);
+    let orient = |duplicates| alone(&Orient { duplicates, ..Orient::default() }, &wall);
+    let second = Defect::OppositeFace { face: FaceId(2), original: FaceId(1) };
+    let kept = orient(Duplicates::Keep);
+    assert_eq!((mended(&kept), &kept.left[..]), (vec![], &[second.clone()][..]));
+    let first = orient(Duplicates::KeepFirst);
+    assert_eq!((mended(&first), &first.left[..]), (vec![second], &[][..]));
+    let gone = orient(Duplicates::RemovePair);
+    let kinds: Vec<DefectKind> = mended(&gone).iter().map(Defect::kind).collect();
+    assert_eq!((kinds, gone.left), (vec![DefectKind::OppositeFace; 2], vec![]));
+}
+
+#[test]
+fn split_names_the_edges_that_it_took_apart_or_left() {
+    let book = Soup::generic(5, [[0, 1, 2], [0, 1, 3], [0, 1, 4]]);
+    let spine = Defect::NonManifoldEdge { edge: EdgeId(0), ends: [0, 1].map(VertexId), degree: 3 };
+    let sheets = alone(&Split::default(), &book);
+    assert!(mended(&sheets).contains(&spine) && sheets.left.is_empty(), "{:?}", sheets.mended);
+    let whole = alone(&Split { edges: SplitEdges::PinchOnly, ..Split::default() }, &book);
+    assert!(mended(&whole).is_empty() && whole.left == [spine], "{:?}", whole.mended);
+}
+
+/// A vertex with a hair's breadth to the next one, in a face that is gone once they are joined: what is left of the two
+/// is the other one.
+#[test]
+fn a_vertex_of_the_result_is_where_the_stored_one_behind_it_is() {
+    let soup = Soup {
+        positions: vec![[0.01, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]],
+        faces: vec![vec![0, 3, 1], vec![3, 1, 2]],
+    };
+    let mut plan = Plan::default();
+    plan.weld.distance = Distance::Absolute(0.1);
+    let repaired = plan.pipeline().run(&soup.mesh()).unwrap();
+    let behind: Vec<_> = repaired.provenance.vertices.iter().map(|(_, stored)| stored.unwrap().0).collect();
+    assert_eq!(behind, [1, 2, 3]);
+    assert_eq!(repaired.mesh.positions(), &soup.positions[1..]);
+}
+
+#[test]
+fn a_relative_tolerance_is_a_part_of_the_diagonal() {
+    // The diagonal is 70 long, a hundredth of it 0.7.
+    let positions = vec![[0.0; 3], [0.6, 0.0, 0.0], [1.4, 0.0, 0.0], [20.0, 30.0, 60.0]];
+    let soup = Soup { positions, faces: vec![vec![0, 2, 3], vec![1, 2, 3]] };
+    let mut plan = Plan::default();
+    plan.weld.distance = Distance::Relative(0.01);
+    let welded = in_a_row(&[PassKind::Weld], plan, &soup);
+    let joined: Vec<Defect> = welded.passes[0].mended.iter().collect();
+    assert_eq!(joined, [Defect::CoincidentVertex { vertex: VertexId(1), original: VertexId(0) }]);
+}
+
+/// Three squares over the same four vertices.
+fn hemicube() -> Soup {
+    let positions = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[x, y]| [f64::from(x), f64::from(y), 0.0]).to_vec();
+    Soup { positions, faces: vec![vec![0, 1, 2, 3], vec![0, 2, 1, 3], vec![0, 1, 3, 2]] }
+}
+
+#[test]
+fn split_knows_vertices_that_were_created_before() {
+    let mut plan = Plan::default();
+    plan.triangulate.faces = TriangulateFaces::All;
+    let repaired = in_a_row(&[PassKind::Triangulate, PassKind::Split], plan, &hemicube());
+    let counts = repaired.mesh.counts();
+    assert_eq!((counts.vertices, counts.faces), (4 + 3, 3 * 4));
+    assert!(!repaired.passes[1].is_changed);
+}
+
+/// A vertex stands at the middle of the squares and halfway from there to each of their corners.
+#[test]
+fn a_created_vertex_is_where_another_one_is_only_if_there_is_no_other_place() {
+    let mut soup = hemicube();
+    let taken = [[0.5, 0.5], [0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]];
+    soup.positions.extend(taken.map(|[x, y]| [x, y, 0.0]));
+    soup.faces.extend([vec![4, 5, 6], vec![4, 7, 8]]);
+    let mut plan = Plan::default();
+    plan.triangulate.faces = TriangulateFaces::All;
+    let passes = [PassKind::Weld, PassKind::Clean, PassKind::Triangulate, PassKind::Recompute];
+    let repaired = in_a_row(&passes, plan, &soup);
+    let coincident = repaired.report.unwrap().defects.of_kind(DefectKind::CoincidentVertex).count();
+    assert_eq!(coincident, 3);
+    assert_eq!(repaired.mesh.positions()[9..], [[0.5, 0.5, 0.0]; 3]);
+}
