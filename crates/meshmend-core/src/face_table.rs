@@ -316,10 +316,14 @@ mod tests {
     }
 
     #[test]
-    fn a_table_with_other_face_bounds_is_another_table() {
+    fn a_table_with_other_vertices_corners_or_bounds_is_another_table() {
         let one = FaceTable::polygons(6, vec![0, 2, 6], ids(&[0, 1, 2, 3, 4, 5])).unwrap();
-        let other = FaceTable::polygons(6, vec![0, 4, 6], ids(&[0, 1, 2, 3, 4, 5])).unwrap();
-        assert_ne!(one, other);
+        let bounds = FaceTable::polygons(6, vec![0, 4, 6], ids(&[0, 1, 2, 3, 4, 5])).unwrap();
+        let corners = FaceTable::polygons(6, vec![0, 2, 6], ids(&[0, 1, 2, 3, 5, 4])).unwrap();
+        let vertices = FaceTable::polygons(7, vec![0, 2, 6], ids(&[0, 1, 2, 3, 4, 5])).unwrap();
+        for other in [bounds, corners, vertices] {
+            assert_ne!(one, other);
+        }
     }
 
     #[test]

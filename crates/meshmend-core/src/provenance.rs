@@ -292,6 +292,17 @@ mod tests {
     }
 
     #[test]
+    fn sources_are_equal_when_each_element_has_the_same_one() {
+        let listed = |sources: &[Option<u32>]| -> Sources<FaceId> {
+            Sources::listed(sources.iter().map(|source| source.map(FaceId)))
+        };
+        assert_eq!(listed(&[Some(0), Some(1)]), Sources::same(2));
+        for other in [&[Some(1), Some(0)][..], &[Some(0), None], &[Some(0)], &[Some(0), Some(1), Some(2)]] {
+            assert_ne!(listed(other), Sources::same(2), "{other:?}");
+        }
+    }
+
+    #[test]
     fn a_list_that_changes_nothing_is_the_same() {
         let prefix: Sources<FaceId> = Sources::listed([Some(FaceId(0)), Some(FaceId(1))]);
         assert!(prefix.is_same() && prefix.is_all_of(2) && !prefix.is_all_of(3));

@@ -509,6 +509,12 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[test]
+    fn what_can_not_be_flushed_to_a_disk_is_an_error() {
+        assert!(Disk.sync(&OpenOptions::new().write(true).open("/dev/null").unwrap()).is_err());
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
     fn a_full_device_is_an_error_and_stays_a_device() {
         let path = Path::new("/dev/full");
         if path.exists() {

@@ -197,6 +197,8 @@ mod tests {
         assert_eq!(digits(b"18446744073709551617/"), Some((u64::MAX, 20)));
         assert_eq!(integer(b"-9223372036854775808"), Some((-i64::MAX, 20)));
         assert_eq!(integer(b"-12 "), Some((-12, 3)));
+        // The neighbours of the digits are none.
+        assert_eq!([digits(b"12/"), digits(b"12:")], [Some((12, 2)); 2]);
         assert_eq!(integer(b"+12 "), Some((12, 3)));
         assert_eq!(integer(b"-"), None);
     }

@@ -125,6 +125,25 @@ fn names_hold_until_the_next_and_no_name_is_no_value() {
 }
 
 #[test]
+fn a_comment_behind_a_name_begins_after_a_blank() {
+    let named = |statement: &str| {
+        let mesh = read(format!("{TRIANGLE}{statement}\nf 1 2 3\n")).mesh;
+        mesh.layer("object", Domain::Face).map(|layer| names(layer)[0].clone().unwrap_or_default())
+    };
+    assert_eq!(named("o a#b #c").as_deref(), Some("a#b"));
+    assert_eq!(named("o a\t#b").as_deref(), Some("a"));
+    assert_eq!(named("o #a"), None);
+    assert_eq!(named("o#a"), None);
+}
+
+/// Blanks at the end of a line are not kept by every editor.
+#[test]
+fn a_statement_without_a_name_is_one_word() {
+    let text = format!("{TRIANGLE}g a\ns 1\nf 1 2 3\ng\ns off\nf 1 2 3\n");
+    assert_eq!(written(&read(&text).mesh, Format::Obj, Encoding::Ascii).0, text.as_bytes());
+}
+
+#[test]
 fn a_name_that_no_face_has_is_noted() {
     let file = read(format!("{TRIANGLE}g one\ng two\nf 1 2 3\n"));
     assert_eq!(note(&file, NoteKind::UnusedName).count, 1);
@@ -142,14 +161,16 @@ fn names_and_comments_may_be_any_bytes() {
 
 #[test]
 fn names_that_can_not_be_spelled_are_named_as_losses() {
-    let mesh = read(format!("{TRIANGLE}f 1 2 3\nf 1 2 3\nf 1 2 3\n")).mesh;
-    let pool = [&b"fine"[..], b"line\nend", b"a #b"].map(<[u8]>::to_vec).to_vec();
+    let mesh = read(format!("{TRIANGLE}{}", "f 1 2 3\n".repeat(7))).mesh;
+    let pool =
+        [&b"fine"[..], b"line\nend", b"a #b", b" a", b"a ", b"#a", b"a\\"].map(<[u8]>::to_vec).to_vec();
     let layers = vec![Layer::direct("object", Domain::Face, 1, Carry::Copy, Values::Text(pool))];
     let mesh = mesh.with_layers(layers).unwrap();
     let (bytes, losses) = written(&mesh, Format::Obj, Encoding::Ascii);
-    assert_eq!(losses.iter().map(|l| (l.kind, l.count)).collect::<Vec<_>>(), [(LossKind::Names, 2)]);
+    assert_eq!(losses.iter().map(|l| (l.kind, l.count)).collect::<Vec<_>>(), [(LossKind::Names, 6)]);
     let again = names(layer(&read(bytes).mesh, "object", Domain::Face));
-    assert_eq!(again, ["fine", "line_end", "a__b"].map(|name| Some(name.to_owned())));
+    let expected = ["fine", "line_end", "a__b", "_a", "a_", "_a", "a_"];
+    assert_eq!(again, expected.map(|name| Some(name.to_owned())));
 }
 
 #[test]

@@ -139,6 +139,42 @@ fn lists_that_do_not_fit_the_corners_stay_lists_of_the_face() {
 }
 
 #[test]
+fn lists_are_of_the_corners_when_each_face_has_as_many_a_corner() {
+    let header = format!("element vertex 4\n{XYZ}element face 2\n{LIST}property list uchar int corner_ids\n");
+    for (ids, domain) in [("4 5 6 7 8", Domain::Corner), ("3 5 6 7", Domain::Face)] {
+        let rows = format!("0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 3 1 2 3\n4 0 1 2 3 {ids}\n");
+        let mesh = read(ascii(&header, &rows)).mesh;
+        assert_eq!(mesh.layers()[0].domain(), domain, "{ids}");
+        assert_kept_in_all(&mesh);
+    }
+}
+
+#[test]
+fn lengths_of_lists_have_the_smallest_type_that_holds_them() {
+    let list = |count: usize| format!("{count}{}", " 1".repeat(count));
+    for (count, name) in [(200, "uchar"), (300, "ushort")] {
+        let rows = [list(count), list(count), list(0)];
+        let mesh =
+            read(triangle("property list int uchar near\n", "", [&rows[0], &rows[1], &rows[2], ""])).mesh;
+        let (bytes, _) = written(&mesh, Format::Ply, Encoding::LittleEndian);
+        let text = String::from_utf8_lossy(&bytes);
+        assert!(text.contains(&format!("property list {name} uchar near\n")), "{text}");
+        assert_kept_in_all(&mesh);
+    }
+}
+
+#[test]
+fn a_layer_of_several_numbers_is_as_many_properties() {
+    let mesh = read(triangle("", "", [""; 4])).mesh;
+    let flow = Layer::direct("flow", Domain::Vertex, 2, Carry::Copy, Values::I32(vec![1, 2, 3, 4, 5, 6]));
+    let (bytes, losses) = written(&mesh.with_layers(vec![flow]).unwrap(), Format::Ply, Encoding::Ascii);
+    assert_eq!(losses, []);
+    let again = read(bytes).mesh;
+    assert_eq!(layer(&again, "flow_0", Domain::Vertex).values(), &Values::I32(vec![1, 3, 5]));
+    assert_eq!(layer(&again, "flow_1", Domain::Vertex).values(), &Values::I32(vec![2, 4, 6]));
+}
+
+#[test]
 fn faces_without_corner_values_have_empty_lists() {
     let header = format!("element vertex 3\n{XYZ}element face 2\n{LIST}property list uchar float texcoord\n");
     let text = ascii(&header, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0\n3 2 1 0 6 1 2 3 4 5 6\n");
@@ -262,6 +298,18 @@ fn surplus_is_noted() {
     let file = read(ascii(&format!("element vertex 1\n{XYZ}"), "1 2 3\n 4 5\n"));
     let surplus = note(&file, NoteKind::SurplusData);
     assert_eq!((surplus.count, surplus.first), (3, Place::Line(9)));
+    let (whole, _) = written(&file.mesh, Format::Ply, Encoding::BigEndian);
+    assert_eq!(read(&whole).notes, []);
+    let file = read([&whole[..], &[0; 5]].concat());
+    let surplus = note(&file, NoteKind::SurplusData);
+    assert_eq!((surplus.count, surplus.first), (5, Place::Byte(whole.len() as u64)));
+}
+
+#[test]
+fn a_length_that_is_none_is_refused_with_its_line() {
+    let header = format!("element vertex 1\n{XYZ}element face 1\nproperty list int int vertex_indices\n");
+    let wrong = refused(ascii(&header, "0 0 0\n-1 0\n"));
+    assert_eq!(wrong, (Place::Line(10), "-1 is no length of a list".to_owned()));
 }
 
 #[test]
@@ -387,6 +435,29 @@ fn what_ply_can_not_carry_is_named() {
     assert_eq!(found, expected);
     assert!(String::from_utf8_lossy(&bytes).contains("\n1 0 0 nan\n"));
     assert_eq!(losses[0].message, "face attribute `group` of 1 faces");
+}
+
+#[test]
+fn pairs_of_lists_are_left_out_and_named() {
+    let mesh = read(triangle("", "", [""; 4])).mesh;
+    let lists = Values::Lists { starts: vec![0, 1, 2], items: Box::new(Values::U8(vec![1, 2])) };
+    let pairs = Layer::direct("pairs", Domain::Face, 2, Carry::Copy, lists);
+    let (bytes, losses) = written(&mesh.with_layers(vec![pairs]).unwrap(), Format::Ply, Encoding::Ascii);
+    assert_eq!(losses.iter().map(|l| (l.kind, l.count)).collect::<Vec<_>>(), [(LossKind::Layer, 1)]);
+    assert!(read(bytes).mesh.layers().is_empty());
+}
+
+/// A face's list has a value for each corner or for none.
+#[test]
+fn a_corner_without_a_value_beside_one_with_a_value_is_named() {
+    let corners = [0, 1, 2, 2, 1, 0].map(VertexId).to_vec();
+    let mesh = PolygonMesh::new(vec![[0.0; 3]; 3], FaceTable::triangles(3, corners).unwrap()).unwrap();
+    let none = meshmend_core::NO_VALUE;
+    let uses = vec![0, none, 0, none, none, none];
+    let layer = Layer::indexed("heat", Domain::Corner, 1, Carry::Copy, Values::F32(vec![0.5]), uses);
+    let losses = written(&mesh.with_layers(vec![layer]).unwrap(), Format::Ply, Encoding::Ascii).1;
+    assert_eq!(losses.iter().map(|l| (l.kind, l.count)).collect::<Vec<_>>(), [(LossKind::AbsentValue, 1)]);
+    assert_eq!(losses[0].message, "that 1 corners have no corner attribute `heat`");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::common::{
     assert_kept, faces, layer, names, note, read as read_as, refused as refused_as, try_read, written,
 };
-use meshmend_core::{Carry, Domain, FaceTable, Layer, PolygonMesh, Values, VertexId};
+use meshmend_core::{Carry, Domain, FaceTable, Layer, Metadata, PolygonMesh, Values, VertexId};
 use meshmend_io::{
     Encoding, Format, Limits, Loss, LossKind, NoteKind, Place, ReadErrorKind, ReadFile, ReadOptions,
     read_bytes,
@@ -42,7 +42,8 @@ fn binary_facets_have_their_own_vertices_and_single_coordinates() {
     assert_eq!(file.mesh.positions()[3], [1.0, 0.0, 0.0]);
     assert_eq!(layer(&file.mesh, "attribute", Domain::Face).values(), &Values::U16(vec![0, 1]));
     assert_eq!(file.mesh.metadata()[0].value, b"a header");
-    assert_eq!(read(binary("", 1, 1)).mesh.layers(), []);
+    let plain = read(binary("", 1, 1)).mesh;
+    assert_eq!((plain.layers(), plain.metadata()), (&[][..], &[][..]));
 }
 
 #[test]
@@ -131,6 +132,18 @@ fn one_name_is_of_the_file_and_several_are_of_the_faces() {
     assert_eq!(of_faces, expected.map(|name| (!name.is_empty()).then(|| name.to_owned())));
     let on_one_line = [solid("a"), solid("b")].concat().replace('\n', " ");
     assert_eq!(names(layer(&read(on_one_line).mesh, "object", Domain::Face)).len(), 4);
+}
+
+#[test]
+fn solids_without_a_facet_are_noted_and_the_rest_are_as_if_alone() {
+    let text = format!("solid a\nendsolid\nsolid b\n{FACET}endsolid\nsolid c\nendsolid\n");
+    let file = read(text);
+    assert_eq!(note(&file, NoteKind::UnusedName).count, 2);
+    assert_eq!((file.mesh.layers(), &file.mesh.metadata()[0].value[..]), (&[][..], &b"b"[..]));
+    assert_eq!(
+        read("solid a\nendsolid\n").notes.iter().filter(|n| n.kind == NoteKind::UnusedName).count(),
+        0
+    );
 }
 
 #[test]
@@ -238,6 +251,29 @@ fn attributes_that_are_all_zero_are_named_as_lost() {
 }
 
 #[test]
+fn a_header_beyond_its_place_is_named() {
+    for (length, is_lost) in [(80, false), (81, true)] {
+        let header = Metadata { key: "stl-header".to_owned(), value: vec![b'x'; length] };
+        let mesh = read(binary("", 1, 1)).mesh.with_metadata(vec![header]);
+        let (bytes, losses) = written(&mesh, Format::Stl, Encoding::LittleEndian);
+        let kinds: Vec<LossKind> = losses.iter().map(|loss| loss.kind).collect();
+        assert_eq!(kinds, if is_lost { vec![LossKind::Names] } else { vec![] }, "{length}");
+        assert_eq!(read(bytes).mesh.metadata()[0].value, [b'x'; 80]);
+    }
+}
+
+#[test]
+fn words_that_end_a_name_are_spelled_otherwise_in_it() {
+    let solid = Metadata { key: "solid".to_owned(), value: b"a facet of the EndSolid".to_vec() };
+    let comment = Metadata { key: "comment".to_owned(), value: b"about a facet".to_vec() };
+    let mesh = read(format!("solid\n{FACET}endsolid\n")).mesh.with_metadata(vec![solid, comment]);
+    let (bytes, losses) = written(&mesh, Format::Stl, Encoding::Ascii);
+    let found: Vec<(LossKind, u64)> = losses.iter().map(|loss| (loss.kind, loss.count)).collect();
+    assert_eq!(found, [(LossKind::Metadata, 1), (LossKind::Names, 1)]);
+    assert_eq!(read(bytes).mesh.metadata()[0].value, b"a _acet of the _ndSolid");
+}
+
+#[test]
 fn stl_io_reads_what_is_written() {
     let mesh = read(format!("solid a\n{FACET}{FACET}endsolid\n")).mesh;
     for &encoding in Format::Stl.encodings() {
@@ -249,6 +285,20 @@ fn stl_io_reads_what_is_written() {
         let expected = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         assert_eq!(triangles[1].vertices.map(|vertex| [vertex[0], vertex[1], vertex[2]]), expected);
         assert_eq!(triangles[1].normal[2], 1.0);
+    }
+}
+
+#[test]
+fn a_facet_counts_three_vertices_against_the_limit() {
+    let bytes = binary("", 2, 2);
+    for most in 5..=6 {
+        let limits = Limits { max_vertices: most, ..Limits::default() };
+        let result = read_bytes(&bytes, "two", &ReadOptions { limits, format: Some(Format::Stl) });
+        match result.map_err(|error| error.kind) {
+            Ok(_) => assert_eq!(most, 6),
+            Err(ReadErrorKind::LimitExceeded { what: "vertices", found: 6, limit: 5 }) => assert_eq!(most, 5),
+            Err(other) => panic!("{other}"),
+        }
     }
 }
 
