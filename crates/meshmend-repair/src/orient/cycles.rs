@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use meshmend_core::{Column, Connectivity, FaceId, Id, VertexId, canonical_rotation};
+use meshmend_core::{Column, Connectivity, FaceId, VertexId, canonical_rotation};
 
 const ALONE: u32 = u32::MAX;
 
