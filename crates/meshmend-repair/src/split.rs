@@ -191,8 +191,7 @@ impl Task<'_> {
 
     fn is_unchanged<K: Connectivity>(&self, kernel: &K, names: &NewVertices) -> bool {
         let same_bits = |a: &[f64; 3], b: &[f64; 3]| a.map(f64::to_bits) == b.map(f64::to_bits);
-        names.present.len() == self.mesh.counts().vertices
-            && names.present.iter().zip(0..).all(|(present, new)| present.0 == new)
+        names.present.iter().zip(0..).all(|(present, new)| present.0 == new)
             && names.positions.iter().zip(self.mesh.positions()).all(|(a, b)| same_bits(a, b))
             && kernel.corners().all(|c| names.of_corner[c] == kernel.corner_vertex(c))
     }

@@ -122,6 +122,8 @@ fn created_vertices_do_not_coincide() {
     plan.triangulate.faces = TriangulateFaces::All;
     let repaired = plan.pipeline().run(&hemicube.mesh()).unwrap();
     assert_eq!((repaired.provenance.created.len(), repaired.mesh.counts().faces), (3, 12));
+    let created = [[0.5, 0.5, 0.0], [0.25, 0.25, 0.0], [0.75, 0.25, 0.0]];
+    assert_eq!(repaired.mesh.positions()[4..], created, "the middle, and halfway from there to corners");
     let lowest = meshmend_repair::coincident_vertices(&repaired.mesh);
     assert!(lowest.iter().zip(0..).all(|(low, v)| low.0 == v));
 }

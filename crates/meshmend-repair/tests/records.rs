@@ -5,8 +5,9 @@
 use meshmend_core::{Defect, DefectKind, EdgeId, FaceId, VertexId};
 use meshmend_repair::{
     Clean, Context, Distance, Duplicates, Orient, Outcome, Pass, PassKind, Plan, Repaired, Split, SplitEdges,
-    TriangulateFaces,
+    Triangulate, TriangulateFaces,
 };
+use meshmend_testkit::laws::{DefectCounts, Promise};
 use meshmend_testkit::{Soup, shapes};
 
 /// What a pass does to a mesh to which nothing was done before.
@@ -84,16 +85,19 @@ fn split_names_the_edges_that_it_took_apart_or_left() {
 /// is the other one.
 #[test]
 fn a_vertex_of_the_result_is_where_the_stored_one_behind_it_is() {
-    let soup = Soup {
-        positions: vec![[0.01, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]],
-        faces: vec![vec![0, 3, 1], vec![3, 1, 2]],
-    };
+    let [near, x, y, origin] = [[0.01, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]];
+    let in_order = (vec![near, origin, x, y], vec![vec![0, 1, 2], vec![1, 2, 3]]);
+    let in_another = (vec![near, x, y, origin], vec![vec![0, 3, 1], vec![3, 1, 2]]);
     let mut plan = Plan::default();
     plan.weld.distance = Distance::Absolute(0.1);
-    let repaired = plan.pipeline().run(&soup.mesh()).unwrap();
-    let behind: Vec<_> = repaired.provenance.vertices.iter().map(|(_, stored)| stored.unwrap().0).collect();
-    assert_eq!(behind, [1, 2, 3]);
-    assert_eq!(repaired.mesh.positions(), &soup.positions[1..]);
+    for (positions, faces) in [in_order, in_another] {
+        let soup = Soup { positions, faces };
+        let repaired = plan.pipeline().run(&soup.mesh()).unwrap();
+        let behind: Vec<_> =
+            repaired.provenance.vertices.iter().map(|(_, stored)| stored.unwrap().0).collect();
+        assert_eq!(behind, [1, 2, 3]);
+        assert_eq!(repaired.mesh.positions(), &soup.positions[1..]);
+    }
 }
 
 #[test]
@@ -131,11 +135,11 @@ fn a_created_vertex_is_where_another_one_is_only_if_there_is_no_other_place() {
     let taken = [[0.5, 0.5], [0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]];
     soup.positions.extend(taken.map(|[x, y]| [x, y, 0.0]));
     soup.faces.extend([vec![4, 5, 6], vec![4, 7, 8]]);
-    let mut plan = Plan::default();
-    plan.triangulate.faces = TriangulateFaces::All;
-    let passes = [PassKind::Weld, PassKind::Clean, PassKind::Triangulate, PassKind::Recompute];
-    let repaired = in_a_row(&passes, plan, &soup);
-    let coincident = repaired.report.unwrap().defects.of_kind(DefectKind::CoincidentVertex).count();
-    assert_eq!(coincident, 3);
-    assert_eq!(repaired.mesh.positions()[9..], [[0.5, 0.5, 0.0]; 3]);
+    let pass = Triangulate { faces: TriangulateFaces::All };
+    let cut = alone(&pass, &soup).mesh;
+    assert_eq!(cut.positions()[9..], [[0.5, 0.5, 0.0]; 3]);
+    let [before, after] = [&soup.mesh(), &cut].map(DefectCounts::of);
+    assert_eq!(after.count(DefectKind::CoincidentVertex), 3);
+    let (removes, requires, may_introduce) = (pass.removes(), pass.requires(), pass.may_introduce());
+    assert_eq!(Promise { removes, requires, may_introduce }.law(&before, &after), Ok(()));
 }

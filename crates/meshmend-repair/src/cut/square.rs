@@ -262,6 +262,17 @@ mod tests {
         mesh.complex().edges().all_ends().iter().filter(is_chord).count()
     }
 
+    /// A torus of nine vertices. The shortest way round through its lowest one has four and a chord.
+    #[test]
+    fn the_first_path_is_sought_again_until_it_has_no_chord() {
+        let faces = "413 103 524 264 253 230 563 847 437 548 658 673 168 614 276 728 820 018".split(' ');
+        let faces = faces.map(|face| face.bytes().map(|digit| u32::from(digit - b'0')).collect::<Vec<_>>());
+        let mesh = Soup::generic(9, faces).mesh();
+        let path = way_round(&mesh).unwrap().unwrap();
+        // The edge from the path's end to its beginning is none.
+        assert_eq!(chords(&mesh, &path), 1, "{path:?}");
+    }
+
     #[test]
     fn what_is_no_closed_torus_has_no_square() {
         let shapes = [tetrahedron(), klein_bottle(4, 4, Tiles::Quads), surface(Closed::Handles(1), 1, 0)];

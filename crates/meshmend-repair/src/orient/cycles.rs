@@ -204,16 +204,16 @@ mod tests {
     use crate::Pipeline;
 
     /// A fan more than once round its centre has two faces with the same cycle, and both are turned. Then each of its
-    /// faces is in the other fan as well, which has one more.
+    /// faces is in the closed patch as well.
     #[test]
     fn a_patch_that_runs_a_cycle_twice_is_a_duplicate_once_it_is_turned() {
-        let mut soup = Soup::generic(5, [[0, 1, 2], [0, 2, 3], [0, 3, 1], [2, 1, 4]]);
+        let mut soup = Soup::generic(5, [[0, 1, 2], [0, 2, 3], [0, 3, 1], [4, 2, 1], [4, 3, 2], [4, 1, 3]]);
         soup.positions.extend([0, 2, 3, 1, 1, 2].map(|v: usize| soup.positions[v]));
         let [centre, c, d, b, b_before, c_after] = [5, 6, 7, 8, 9, 10];
         let wound = [[centre, c, d], [centre, d, b], [centre, c, b_before], [centre, c_after, b]];
         soup.faces.extend(wound.map(Vec::from));
         let repaired = Pipeline::default().run(&soup.mesh()).unwrap();
         let removed: Vec<u32> = repaired.removed_faces.iter().map(|removed| removed.face.0).collect();
-        assert_eq!(removed, [4, 5, 6, 7]);
+        assert_eq!(removed, [6, 7, 8, 9]);
     }
 }

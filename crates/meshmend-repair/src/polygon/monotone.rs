@@ -220,6 +220,7 @@ mod tests {
             if area(&polygon) < 0.0 {
                 polygon.reverse();
             }
+            assert_cut(polygon.iter().map(|&[x, y]| [x + 1000.0, y]).collect());
             assert_cut(polygon);
             count += 1;
         }
