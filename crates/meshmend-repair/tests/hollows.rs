@@ -35,6 +35,25 @@ fn a_shell_beside_another_is_no_hollow_though_the_box_round_that_one_holds_it() 
     assert_eq!(turned(&Soup::beside(&beside, 0.0)), [0; 0]);
 }
 
+/// A tetrahedron, and one on the middle of each of its sides: outside of it, then inside.
+#[test]
+fn a_shell_that_touches_another_is_a_hollow_if_it_lies_inside() {
+    for (deep, expected) in [(-1.0, vec![]), (1.0, vec![4, 5, 6, 7])] {
+        for axis in 0..3 {
+            for turn in 0..4 {
+                let mut small = tetrahedron([1.0; 3], 2.0);
+                small.positions.iter_mut().for_each(|p| p[axis] = (p[axis] - 1.0) * deep);
+                if deep < 0.0 {
+                    small.faces.iter_mut().for_each(|face| face.reverse());
+                }
+                small.faces.rotate_left(turn);
+                let soup = Soup::beside(&[tetrahedron([0.0; 3], 12.0), small], 0.0);
+                assert_eq!(turned(&soup), expected, "{deep} {axis} {turn}");
+            }
+        }
+    }
+}
+
 /// The double has a face that runs the other way, so that it is found only when both are oriented.
 #[test]
 fn a_shell_that_was_dropped_as_a_double_holds_nothing() {

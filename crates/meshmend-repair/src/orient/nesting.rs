@@ -1,15 +1,22 @@
 //! Which closed patches lie inside an odd number of others: the walls of hollows.
 //!
-//! A patch lies inside another one when the other one winds round a point of it. *Source*: A. Van Oosterom,
-//! J. Strackee, *The solid angle of a plane triangle*, 1983.
+//! A patch lies inside another one when the other one winds round a point of it; patches may touch, so a point that is
+//! on both does not count. *Source*: A. Van Oosterom, J. Strackee, *The solid angle of a plane triangle*, 1983.
 
 use meshmend_core::{Column, Connectivity, FaceId, PolygonMesh};
 
 use crate::vector::{Point, cross, dot, length, minus};
 
+/// So many points of a patch are tried, from faces spread evenly. One of which all are on another patch counts as
+/// outside of it.
+const MOST_POINTS: usize = 16;
+
+/// What a point's distance from a triangle may be, in parts of its distances from the corners, for it to be on it.
+const ON: f64 = 1e-9;
+
 /// For each closed patch, its faces flipped where that is chosen, whether it lies inside an odd number of the others.
 ///
-/// *Cost*: for each pair of patches whose boxes allow it, the faces of the outer one.
+/// *Cost*: for each pair of patches whose boxes allow it, the faces of the outer one; where they touch, up to 16 times.
 pub(super) fn are_hollows<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,
@@ -18,8 +25,8 @@ pub(super) fn are_hollows<K: Connectivity>(
 ) -> Vec<bool> {
     let shells: Vec<Shell> = patches.iter().map(|faces| Shell::of(kernel, mesh, faces)).collect();
     let lies_in = |inner: &Shell, outer: &Shell| {
-        outer.box_holds(inner.inside_point)
-            && outer.winding(kernel, mesh, is_flipped, inner.inside_point).abs() > 0.5
+        let answers = inner.points.iter().map(|&point| outer.holds(kernel, mesh, is_flipped, point));
+        answers.flatten().next().unwrap_or(false)
     };
     let depth = |place: usize| {
         let others = shells.iter().enumerate().filter(|(other, _)| *other != place);
@@ -32,8 +39,8 @@ struct Shell<'a> {
     faces: &'a [FaceId],
     low: Point,
     high: Point,
-    /// The centre of the first face: on the shell, and rarely on another one.
-    inside_point: Point,
+    /// The centres of some faces.
+    points: Vec<Point>,
 }
 
 impl<'a> Shell<'a> {
@@ -45,45 +52,63 @@ impl<'a> Shell<'a> {
                 high = std::array::from_fn(|i| high[i].max(point[i]));
             }
         }
-        let first = faces
-            .first()
-            .map(|&face| kernel.face_vertices(face).map(|v| mesh.position(v)).collect::<Vec<_>>());
-        let corners = first.unwrap_or_default();
-        let share = 1.0 / corners.len().max(1) as f64;
-        let inside_point = std::array::from_fn(|i| corners.iter().map(|p| p[i] * share).sum());
-        Shell { faces, low, high, inside_point }
+        let centre = |face: FaceId| -> Point {
+            let corners: Vec<Point> = kernel.face_vertices(face).map(|v| mesh.position(v)).collect();
+            let share = 1.0 / corners.len() as f64;
+            std::array::from_fn(|i| corners.iter().map(|p| p[i] * share).sum())
+        };
+        let stride = faces.len() / MOST_POINTS + 1;
+        let points = faces.iter().step_by(stride).map(|&face| centre(face)).collect();
+        Shell { faces, low, high, points }
+    }
+
+    /// Whether the shell winds round a point; nothing for a point on it.
+    fn holds<K: Connectivity>(
+        &self,
+        kernel: &K,
+        mesh: &PolygonMesh,
+        is_flipped: &Column<FaceId, bool>,
+        point: Point,
+    ) -> Option<bool> {
+        if !self.box_holds(point) {
+            return Some(false);
+        }
+        Some(self.winding(kernel, mesh, is_flipped, point)?.abs() > 0.5)
     }
 
     fn box_holds(&self, point: Point) -> bool {
         (0..3).all(|i| self.low[i] <= point[i] && point[i] <= self.high[i])
     }
 
-    /// How often the shell winds round a point.
+    /// How often the shell winds round a point; nothing for a point on it.
     fn winding<K: Connectivity>(
         &self,
         kernel: &K,
         mesh: &PolygonMesh,
         is_flipped: &Column<FaceId, bool>,
         point: Point,
-    ) -> f64 {
+    ) -> Option<f64> {
         let mut angle = 0.0;
         for &face in self.faces {
             let mut corners = kernel.face_vertices(face).map(|v| minus(mesh.position(v), point));
             let (Some(first), Some(mut last)) = (corners.next(), corners.next()) else { continue };
             let way = if is_flipped[face] { -1.0 } else { 1.0 };
             for next in corners {
-                angle += way * solid_angle(first, last, next);
+                angle += way * solid_angle(first, last, next)?;
                 last = next;
             }
         }
-        angle / (4.0 * std::f64::consts::PI)
+        Some(angle / (4.0 * std::f64::consts::PI))
     }
 }
 
-fn solid_angle(a: Point, b: Point, c: Point) -> f64 {
+/// The solid angle that a triangle fills, seen from the origin; nothing where that is on it.
+fn solid_angle(a: Point, b: Point, c: Point) -> Option<f64> {
     let (x, y, z) = (length(a), length(b), length(c));
     let volume = dot(a, cross(b, c));
-    2.0 * volume.atan2(x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y)
+    let facing = x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y;
+    let on = ON * x * y * z;
+    (volume.abs() > on || facing > on).then(|| 2.0 * volume.atan2(facing))
 }
 
 #[cfg(test)]
@@ -95,8 +120,8 @@ mod tests {
     #[test]
     fn an_octant_is_an_eighth_of_the_sphere_however_far_its_corners_are() {
         let [a, b, c] = [[2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 5.0]];
-        assert!((solid_angle(a, b, c) - PI / 2.0).abs() < 1e-12);
-        assert!((solid_angle(b, a, c) + PI / 2.0).abs() < 1e-12);
+        assert!((solid_angle(a, b, c).unwrap() - PI / 2.0).abs() < 1e-12);
+        assert!((solid_angle(b, a, c).unwrap() + PI / 2.0).abs() < 1e-12);
     }
 
     /// A regular tetrahedron, seen from places near one corner and another, and from outside.
@@ -105,7 +130,10 @@ mod tests {
         let corners = [[1.0; 3], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
         let seen_from = |point: Point| -> f64 {
             let [a, b, c, d] = corners.map(|corner| minus(corner, point));
-            [[a, b, c], [a, c, d], [a, d, b], [b, d, c]].map(|[a, b, c]| solid_angle(a, b, c)).iter().sum()
+            [[a, b, c], [a, c, d], [a, d, b], [b, d, c]]
+                .map(|[a, b, c]| solid_angle(a, b, c).unwrap())
+                .iter()
+                .sum()
         };
         for (point, whole) in
             [([0.0; 3], 1.0), ([0.7, 0.6, 0.7], 1.0), ([0.5, -0.6, -0.4], 1.0), ([1.1; 3], 0.0)]
@@ -116,5 +144,19 @@ mod tests {
                 seen_from(point)
             );
         }
+    }
+
+    #[test]
+    fn what_is_on_a_triangle_sees_no_angle_and_what_is_in_its_plane_an_empty_one() {
+        let corners = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+        let seen_from = |point: Point| {
+            let [a, b, c] = corners.map(|corner| minus(corner, point));
+            solid_angle(a, b, c)
+        };
+        for on in [[1.0, 1.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0; 3]] {
+            assert_eq!(seen_from(on), None, "{on:?}");
+        }
+        assert_eq!(seen_from([3.0, 3.0, 0.0]), Some(0.0));
+        assert!((seen_from([1.0, 1.0, 1e-6]).unwrap().abs() - 2.0 * PI).abs() < 1e-5);
     }
 }
