@@ -71,8 +71,7 @@ impl Rows<'_> {
         }
         // Two layers of one name could not be told apart: then the numbers stay single, under their own names.
         let mut groups = GROUPS.iter().filter(|group| {
-            let is_property = self.element.properties.iter().any(|property| property.name == group.layer);
-            !is_property && !has_layer(parts, group.layer, domain)
+            !self.has_property(group.layer, domain) && !has_layer(parts, group.layer, domain)
         });
         let Some((group, members)) = groups.find_map(|group| Some((group, self.members(group, column)?)))
         else {
@@ -92,6 +91,13 @@ impl Rows<'_> {
         Some((group.layer.to_owned(), members.len(), interleaved(&columns)))
     }
 
+    /// Whether a property of this name is a layer of this domain.
+    fn has_property(&self, name: &str, domain: Domain) -> bool {
+        let mut columns =
+            self.element.properties.iter().zip(0..).filter(|(property, _)| property.name == name);
+        columns.any(|(_, column)| domain != Domain::Face || self.corner_list(column).is_none())
+    }
+
     /// The columns of a group to which this one belongs, if all are there, free, and of one type.
     fn members(&self, group: &Group, column: usize) -> Option<Vec<usize>> {
         let properties = &self.element.properties;
@@ -106,22 +112,14 @@ impl Rows<'_> {
         members.iter().all(|member| !self.is_taken[*member]).then_some(members)
     }
 
-    /// The corner layer that a list property of faces is, if its name says so and its lengths fit.
+    /// The corner layer that a list property of faces is, if there is none of its name yet.
     fn corner_layer(&mut self, column: usize, parts: &Parts) -> Option<Layer> {
-        let property = &self.element.properties[column];
-        let name = match property.name.strip_prefix(CORNER_PREFIX) {
-            Some(name) => name,
-            None if property.name == "texcoord" => "texcoord",
-            None => return None,
-        };
-        let Values::Lists { starts, items } = &mut self.columns.values[column] else { return None };
+        let (name, width) = self.corner_list(column)?;
         if self.is_taken[column] || has_layer(parts, name, Domain::Corner) {
             return None;
         }
-        let width = corner_width(starts, &self.corner_starts)?;
-        if property.name == "texcoord" && width != 2 {
-            return None;
-        }
+        let name = name.to_owned();
+        let Values::Lists { starts, items } = &mut self.columns.values[column] else { return None };
         let values = std::mem::replace(items.as_mut(), Scalar::U8.empty());
         let uses = corner_uses(starts, &self.corner_starts, parts.faces.corner_count());
         let carry = carry(&values);
@@ -130,6 +128,20 @@ impl Rows<'_> {
             None => Layer::direct(name, Domain::Corner, width, carry, values),
             Some(uses) => Layer::indexed(name, Domain::Corner, width, carry, values, uses),
         })
+    }
+
+    /// The name and width of the corner layer that a list property of faces can be, if its name says so and its lengths
+    /// fit.
+    fn corner_list(&self, column: usize) -> Option<(&str, usize)> {
+        let property = &self.element.properties[column];
+        let is_texcoord = property.name == "texcoord";
+        let name = match property.name.strip_prefix(CORNER_PREFIX) {
+            None if is_texcoord => "texcoord",
+            name => name?,
+        };
+        let Values::Lists { starts, .. } = &self.columns.values[column] else { return None };
+        let width = corner_width(starts, &self.corner_starts)?;
+        (!is_texcoord || width == 2).then_some((name, width))
     }
 }
 

@@ -501,4 +501,10 @@ fn no_two_layers_of_an_element_have_one_name() {
     let others = [(Domain::Corner, "texcoord"), (Domain::Face, "corner_texcoord")];
     assert_eq!(names, [&vertex[..], &others].concat());
     assert_kept_in_all(&mesh);
+    // Those of corners are no property of faces, whatever the file calls them.
+    let both = "property list uchar float texcoord\nproperty float s\nproperty float t\n";
+    let mesh = read(triangle("", both, ["", "", "", "6 1 2 3 4 5 6 7 8"])).mesh;
+    assert_eq!(layer(&mesh, "texcoord", Domain::Corner).width(), 2);
+    assert_eq!(layer(&mesh, "texcoord", Domain::Face).width(), 2);
+    assert_kept_in_all(&mesh);
 }
