@@ -128,6 +128,18 @@ fn split_knows_vertices_that_were_created_before() {
     assert!(!repaired.passes[1].is_changed);
 }
 
+/// The squares lie about the origin, where there is a vertex.
+#[test]
+fn a_created_vertex_keeps_away_from_one_at_minus_zero() {
+    let mut soup = hemicube();
+    soup.positions.iter_mut().for_each(|[x, y, _]| (*x, *y) = (2.0 * *x - 1.0, 2.0 * *y - 1.0));
+    soup.positions.push([-0.0; 3]);
+    let cut = alone(&Triangulate { faces: TriangulateFaces::All }, &soup).mesh;
+    assert_eq!(cut.counts().vertices, 5 + 3);
+    let lowest = meshmend_repair::coincident_vertices(&cut);
+    assert!(lowest.iter().zip(0..).all(|(low, v)| low.0 == v), "{:?}", cut.positions());
+}
+
 /// A vertex stands at the middle of the squares and halfway from there to each of their corners.
 #[test]
 fn a_created_vertex_is_where_another_one_is_only_if_there_is_no_other_place() {
