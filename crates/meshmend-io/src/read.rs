@@ -76,12 +76,15 @@ impl Source<'_> {
     }
 
     /// An error unless `found` is within the limit.
+    #[inline]
     pub(crate) fn limited(&self, what: &'static str, found: u64, limit: u64) -> Result<(), ReadError> {
-        if found <= limit {
-            return Ok(());
-        }
+        if found <= limit { Ok(()) } else { Err(self.exceeded(what, found, limit)) }
+    }
+
+    #[cold]
+    fn exceeded(&self, what: &'static str, found: u64, limit: u64) -> ReadError {
         let kind = ReadErrorKind::LimitExceeded { what, found, limit };
-        Err(ReadError { file: self.name.to_owned(), place: Place::File, kind })
+        ReadError { file: self.name.to_owned(), place: Place::File, kind }
     }
 
     /// The line of a byte.

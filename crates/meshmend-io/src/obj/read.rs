@@ -149,9 +149,7 @@ impl<'a> Reader<'a> {
         let mut numbers = [0.0; COLUMNS];
         let count = self.cursor.numbers(&mut numbers)?;
         let index = self.parts.positions.len();
-        if index as u64 >= self.limits.max_vertices {
-            self.source.limited("vertices", index as u64 + 1, self.limits.max_vertices)?;
-        }
+        self.source.limited("vertices", index as u64 + 1, self.limits.max_vertices)?;
         let [x, y, z, ..] = numbers;
         self.parts.positions.push([x, y, z]);
         self.is_obj = true;
@@ -218,9 +216,7 @@ impl<'a> Reader<'a> {
         }
         self.parts.faces.end_face();
         let (faces, corners) = (self.parts.faces.face_count(), self.parts.faces.corner_count());
-        if faces as u64 > self.limits.max_faces {
-            self.source.limited("faces", faces as u64, self.limits.max_faces)?;
-        }
+        self.source.limited("faces", faces as u64, self.limits.max_faces)?;
         self.source.limited("corners", corners as u64, self.limits.max_corners)
     }
 

@@ -1,5 +1,6 @@
 //! The OBJ writer.
 
+use std::borrow::Cow;
 use std::io;
 
 use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values};
@@ -161,17 +162,11 @@ impl<'a> Plan<'a> {
             if name == std::mem::replace(current, name) {
                 continue;
             }
+            let name = name.map_or(Cow::Borrowed(kind.none), |name| spelled(kind, &names[name]));
             sink.bytes(kind.statement);
-            match name.map(|name| spelled(kind, &names[name])) {
-                Some(name) => {
-                    sink.byte(b' ');
-                    sink.bytes(&name);
-                }
-                None if kind.none.is_empty() => {}
-                None => {
-                    sink.byte(b' ');
-                    sink.bytes(kind.none);
-                }
+            if !name.is_empty() {
+                sink.byte(b' ');
+                sink.bytes(&name);
             }
             sink.byte(b'\n');
         }

@@ -169,9 +169,7 @@ impl<'a> Reader<'a> {
         let length = property.length.unwrap_or(property.item);
         let count = data.length(length, property.item)?;
         let corners = self.parts.faces.corner_count() as u64 + count as u64;
-        if corners > self.limits.max_corners {
-            self.source.limited("corners", corners, self.limits.max_corners)?;
-        }
+        self.source.limited("corners", corners, self.limits.max_corners)?;
         let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
         let mut wrong = None;
         data.indices(property.item, count, |index, at| match u32::try_from(index) {

@@ -265,7 +265,7 @@ fn a_header_beyond_its_place_is_named() {
 #[test]
 fn words_that_end_a_name_are_spelled_otherwise_in_it() {
     let solid = Metadata { key: "solid".to_owned(), value: b"a facet of the EndSolid".to_vec() };
-    let comment = Metadata { key: "comment".to_owned(), value: b"about a facet".to_vec() };
+    let comment = Metadata { key: "comment".to_owned(), value: b"about it".to_vec() };
     let mesh = read(format!("solid\n{FACET}endsolid\n")).mesh.with_metadata(vec![solid, comment]);
     let (bytes, losses) = written(&mesh, Format::Stl, Encoding::Ascii);
     let found: Vec<(LossKind, u64)> = losses.iter().map(|loss| (loss.kind, loss.count)).collect();
