@@ -28,9 +28,10 @@ pub fn faces_with_repeated_corners(mesh: &PolygonMesh) -> Vec<(FaceId, VertexId)
         let (all, kept) = (stored.face_vertices(face), normal.face_vertices(face));
         let in_a_row = (!kept.is_empty() && kept.len() < all.len())
             .then(|| (0..all.len()).find(|&i| all[i] == all[(i + 1) % all.len()]).map(|i| all[i]));
+        // Three different vertices have none.
         let spike = || {
             let n = kept.len();
-            (0..n).find(|&i| n > 3 && kept[i] == kept[(i + 2) % n]).map(|i| kept[i])
+            (0..n).find(|&i| kept[i] == kept[(i + 2) % n]).map(|i| kept[i])
         };
         in_a_row.flatten().or_else(spike)
     };
@@ -80,8 +81,17 @@ mod tests {
     fn repeats_and_spikes_are_found_round_the_end_too() {
         let faces: &[&[u32]] =
             &[&[0, 1, 2], &[0, 1, 2, 0], &[0, 3, 1, 3], &[1, 1, 1], &[3, 1, 3, 0], &[2, 2, 0, 1, 0]];
+        assert_eq!(repeated(faces), [(1, 0), (2, 3), (4, 3), (5, 2)]);
+    }
+
+    fn repeated(faces: &[&[u32]]) -> Vec<(u32, u32)> {
         let found = faces_with_repeated_corners(&mesh(4, faces));
-        let ids: Vec<_> = found.iter().map(|(face, vertex)| (face.0, vertex.0)).collect();
-        assert_eq!(ids, [(1, 0), (2, 3), (4, 3), (5, 2)]);
+        found.iter().map(|(face, vertex)| (face.0, vertex.0)).collect()
+    }
+
+    #[test]
+    fn repeats_are_found_where_all_is_triangles_but_for_them_and_spikes_where_nothing_is_dropped() {
+        assert_eq!(repeated(&[&[0, 1, 2], &[0, 1, 1, 2]]), [(1, 1)]);
+        assert_eq!(repeated(&[&[0, 1, 2], &[0, 3, 1, 3]]), [(1, 3)]);
     }
 }

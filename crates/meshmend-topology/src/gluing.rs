@@ -73,8 +73,8 @@ impl GluingWord {
     /// The word of a closed walk along edges, the last vertex joined to the first: the rim of a disc, by the vertices
     /// from which it was cut.
     ///
-    /// Edges that follow one another wherever they come are one side. Nothing where an edge comes more than twice,
-    /// or the walk has fewer than three vertices.
+    /// Edges that follow one another wherever they come are one side. Nothing where there is no edge, one comes more
+    /// than twice, or a vertex follows itself.
     ///
     /// ```
     /// # use meshmend_core::VertexId;
@@ -167,7 +167,7 @@ struct Rim {
 }
 
 impl Rim {
-    /// Nothing where an edge comes more than twice.
+    /// Nothing where an edge comes more than twice, or a vertex follows itself.
     fn of(walk: &[VertexId]) -> Option<Self> {
         let count = walk.len();
         let mut sorted: Vec<([VertexId; 2], usize)> = (0..count)
@@ -181,11 +181,12 @@ impl Rim {
         // For each edge and each of its ends: that vertex, and whether the edge comes twice.
         let mut at_vertex: Vec<(VertexId, bool)> = Vec::new();
         for (edge, run) in (0..).zip(sorted.chunk_by(|one, other| one.0 == other.0)) {
-            if run.len() > 2 {
+            let ends = run[0].0;
+            if run.len() > 2 || ends[0] == ends[1] {
                 return None;
             }
             run.iter().for_each(|&(_, place)| number[place] = edge);
-            at_vertex.extend(run[0].0.map(|end| (end, run.len() == 2)));
+            at_vertex.extend(ends.map(|end| (end, run.len() == 2)));
         }
         at_vertex.sort_unstable();
         let passes = at_vertex.chunk_by(|one, other| one.0 == other.0).filter(|star| is_passed(star));
@@ -290,7 +291,10 @@ mod tests {
 
     #[test]
     fn letters_are_named_as_they_come() {
-        assert_eq!(word("zYyX").to_string(), "a b b⁻¹ c");
+        let named = word("zYyX");
+        assert_eq!(named.to_string(), "a b b⁻¹ c");
+        let letters: Vec<_> = named.letters().iter().map(|letter| (letter.side, letter.is_inverse)).collect();
+        assert_eq!(letters, [(0, false), (1, false), (1, true), (2, false)]);
         assert_eq!(Letter { side: 27, is_inverse: true }.to_string(), "b1⁻¹");
         assert_eq!(GluingWord::of_sides(&[]), None);
         assert_eq!(GluingWord::of_sides(&[(1, false), (1, true), (1, false)]), None);
@@ -308,6 +312,10 @@ mod tests {
         assert_eq!(spelt(&[2, 0, 1]).as_deref(), Some("a"));
         // An annulus between the triangles 0 1 2 and 3 4 5, cut along 0 6 3.
         assert_eq!(spelt(&[6, 0, 1, 2, 0, 6, 3, 5, 4, 3]).as_deref(), Some("a b c b⁻¹"));
-        assert_eq!(spelt(&[0, 1, 0, 1, 0, 1]), None);
+        // A sphere of two faces, opened along one edge.
+        assert_eq!(spelt(&[1, 0]).as_deref(), Some("a a⁻¹"));
+        for no_rim in [&[][..], &[0], &[0, 0, 1], &[0, 1, 0, 1, 0, 1]] {
+            assert_eq!(spelt(no_rim), None, "{no_rim:?}");
+        }
     }
 }

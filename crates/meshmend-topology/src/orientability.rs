@@ -276,6 +276,19 @@ mod tests {
         assert!(strip.edges[0] < strip.edges[1] && is_one_sided(&pair, strip));
     }
 
+    /// By steps from face to face the ancestors of all edges would take quadratic time.
+    #[test]
+    fn few_jumps_lead_up_a_long_tree() {
+        let kernel = moebius_band(10_000).kernel();
+        let patches = patches(&kernel);
+        let mut tree = Tree::new(&kernel, &patches);
+        patches.ids().for_each(|patch| tree.grow(patch));
+        let deepest = kernel.faces().max_by_key(|&face| tree.depth[face]).unwrap();
+        let jumps = std::iter::successors(Some(deepest), |&face| Some(tree.jump[face]));
+        assert_eq!(tree.depth[deepest], 5000);
+        assert!(jumps.take_while(|&face| tree.depth[face] > 0).count() <= 2 * 13);
+    }
+
     #[test]
     fn the_choice_is_the_defined_one() {
         let mut random = Random(3);

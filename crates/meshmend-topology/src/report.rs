@@ -345,6 +345,16 @@ mod tests {
     }
 
     #[test]
+    fn what_has_faces_and_no_edge_of_degree_one_is_closed() {
+        for closed in [shapes::tetrahedron(), shapes::klein_bottle(4, 5), shapes::sphere_with_membrane()] {
+            assert!(closed.report().closed, "{closed:?}");
+        }
+        for open in [shapes::annulus(6), shapes::bow_tie(), Shape::of(&[&[0, 1]])] {
+            assert!(!open.report().closed, "{open:?}");
+        }
+    }
+
+    #[test]
     fn nothing_is_manifold_and_open() {
         let report = Shape::of(&[]).report();
         assert!(report.manifold && !report.closed && report.consistently_oriented && report.orientable);

@@ -143,14 +143,7 @@ fn short_sides(graph: &TieGraph, start: Vec<bool>) -> Vec<bool> {
     if graph.face_count() <= FEW {
         return shorten(Sides::given(graph, start), Reach::All).into_turned();
     }
-    let mut levels = vec![Coarse::of(graph, &vec![1; graph.face_count()])];
-    while let Some(last) = levels.last().filter(|last| last.graph.face_count() > FEW) {
-        let next = last.coarser();
-        if next.graph.face_count() * 10 > last.graph.face_count() * 9 {
-            break;
-        }
-        levels.push(next);
-    }
+    let mut levels = coarser_and_coarser(graph);
     let mut found: Option<Vec<bool>> = None;
     while let Some(level) = levels.pop() {
         let (start, reach) = match found {
@@ -166,6 +159,20 @@ fn short_sides(graph: &TieGraph, start: Vec<bool>) -> Vec<bool> {
         _ => given,
     };
     shorten(best, Reach::Steps(STEPS)).into_turned()
+}
+
+/// Graphs with fewer and fewer faces. Each has at most nine tenths of the faces of the one before, so that all together
+/// have no more than ten times those of the first; where that can't be had they end with many.
+fn coarser_and_coarser(graph: &TieGraph) -> Vec<Coarse> {
+    let mut levels = vec![Coarse::of(graph, &vec![1; graph.face_count()])];
+    while let Some(last) = levels.last().filter(|last| last.graph.face_count() > FEW) {
+        let next = last.coarser();
+        if next.graph.face_count() * 10 > last.graph.face_count() * 9 {
+            break;
+        }
+        levels.push(next);
+    }
+    levels
 }
 
 #[cfg(test)]
@@ -306,6 +313,83 @@ mod tests {
             shortest += usize::from(length == least);
         }
         assert!(shortest > 270, "{shortest}");
+    }
+
+    /// Joints such as `0-1=2 1-2~1`: the faces, `~` where the joint mirrors, and the weight.
+    fn joints(text: &str) -> Vec<Joint> {
+        let joint = |word: &str| {
+            let [one, other, weight] =
+                word.split(['-', '=', '~']).map(|n| n.parse().unwrap()).collect::<Vec<_>>()[..]
+            else {
+                panic!("{word}")
+            };
+            Joint { faces: [FaceId(one), FaceId(other)], is_mirrored: word.contains('~'), weight }
+        };
+        text.split(' ').map(joint).collect()
+    }
+
+    #[test]
+    fn each_step_of_the_search_is_needed_for_the_shortest_seams() {
+        let cases = [
+            // Only where a region was turned that costs the same is there one that is better.
+            "2-4=1 1-0=1 2-0~1 3-1~1 4-2~1 1-4~1 4-0=1 3-2~1 3-2~1",
+            "3-1~5 1-0=2 2-1~3 3-2~7 4-0~6 5-0=4 6-4=1 3-6=2 4-5=8 4-6~8 0-5=4",
+            // Only single faces lead there: as regions they are held.
+            "3-1~1 1-0=1 2-0~1 3-1~1 4-0=1 5-0~1 5-4=1 3-1=1 5-2~1",
+            "0-4=8 1-0~6 2-0=4 3-0~8 4-1~4 2-3=3 1-0=6 2-4~3",
+        ];
+        for text in cases {
+            let joints = joints(text);
+            let faces = joints.iter().flat_map(|joint| joint.faces).max().unwrap().index() + 1;
+            let is_cut = short_seam(&joints);
+            assert!(is_seam(&joints, &is_cut));
+            let cut = joints.iter().zip(is_cut).filter(|(_, is_cut)| *is_cut);
+            assert_eq!(cut.map(|(joint, _)| u64::from(joint.weight)).sum::<u64>(), least(&joints, faces));
+        }
+    }
+
+    /// A Klein bottle that is half as wide at one place, as far from the seam of the walk as from its beginning.
+    #[test]
+    fn among_many_faces_the_waist_is_found_from_far_away() {
+        let (round, width) = (150, 20);
+        let mut bottle = klein_bottle(round, width);
+        let waist = round / 4 * width;
+        bottle.0.drain((waist + width / 2) as usize..(waist + width) as usize);
+        assert!(bottle.0.len() > FEW);
+        assert_eq!(seam_lengths(&bottle), [width as usize / 2]);
+    }
+
+    /// Stars of ties, each the middle and its rays.
+    fn stars(count: u32, rays: u32) -> TieGraph {
+        let tie = |star: u32, ray: u32| Tie {
+            ends: [star * (rays + 1), star * (rays + 1) + ray],
+            is_mirrored: false,
+            weight: 1,
+        };
+        let ties = (0..count).flat_map(|star| (1..=rays).map(move |ray| tie(star, ray)));
+        TieGraph::new((count * (rays + 1)) as usize, ties.collect())
+    }
+
+    #[test]
+    fn graphs_become_coarser_by_a_tenth_or_not_at_all() {
+        let sizes = |graph: &TieGraph| -> Vec<usize> {
+            coarser_and_coarser(graph).iter().map(|level| level.graph.face_count()).collect()
+        };
+        // Of a star two faces are joined at a time, from 11 of them on, 10, 9, …
+        assert_eq!(sizes(&stars(300, 10)), [3000, 2700, 2400, 2100, 1800]);
+        assert_eq!(sizes(&stars(1, 2 * FEW as u32)), [2 * FEW]);
+    }
+
+    #[test]
+    fn where_no_faces_can_be_joined_the_lighter_joints_are_cut_too() {
+        let joint = |ray: usize, is_mirrored: bool| {
+            let weight = if is_mirrored == (ray % 2 == 0) { 2 } else { 1 };
+            Joint { faces: [FaceId(0), FaceId::new(ray)], is_mirrored, weight }
+        };
+        let joints: Vec<Joint> =
+            (1..=2 * FEW).flat_map(|ray| [joint(ray, true), joint(ray, false)]).collect();
+        let is_cut = short_seam(&joints);
+        assert!(joints.iter().zip(is_cut).all(|(joint, is_cut)| is_cut == (joint.weight == 1)));
     }
 
     #[test]

@@ -46,10 +46,9 @@ impl<'a> Weights<'a> {
         }
         let component = |edge| surfaces.components.of_vertex(kernel.edge_ends(edge)[0]);
         let mut sums = Column::filled(0.0, count);
-        for (edge, &length) in lengths.iter() {
-            if let Some(component) = component(edge) {
-                sums[component] += if length >= 0.0 { length } else { f64::INFINITY };
-            }
+        let measured = lengths.iter().flat_map(|(edge, &length)| component(edge).zip(Some(length)));
+        for (component, length) in measured {
+            sums[component] += if length >= 0.0 { length } else { f64::INFINITY };
         }
         // No loop is longer than three times all edges, and there are fewer loops than edges.
         let most = f64::MAX / (4.0 * lengths.len().max(1) as f64);

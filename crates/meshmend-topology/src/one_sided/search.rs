@@ -76,17 +76,19 @@ impl<'a> Search<'a> {
         self.begin(face);
         self.budget = u64::MAX;
         while let Ok(Some(_)) = self.settle_next(|distance| distance <= length) {}
-        let (mut at, mut left) = (2 * face, length);
-        let mut ties = Vec::new();
-        while left > 0 {
-            // The way on from a copy to the far end is as long as the way from the near end to the other copy.
-            let on = self.graph.arcs(at / 2).iter().find_map(|arc| {
+        // The way on from a copy to the far end is as long as the way from the near end to the other copy.
+        let on = |at: Copy, left: u64| {
+            self.graph.arcs(at / 2).iter().find_map(|arc| {
                 let tie = self.graph.tie(arc.tie);
                 let next = 2 * arc.to + (at & 1 ^ u32::from(tie.is_mirrored));
                 let rest = left.checked_sub(tie.weight)?;
                 (self.distance[other_copy(next) as usize] == rest).then_some((arc.tie, next, rest))
-            });
-            let Some((tie, next, rest)) = on else { break };
+            })
+        };
+        let (mut at, mut left) = (2 * face, length);
+        let mut ties = Vec::new();
+        // Every tie counts something, so nothing leads on when nothing is left.
+        while let Some((tie, next, rest)) = on(at, left) {
             ties.push(tie);
             (at, left) = (next, rest);
         }
@@ -172,4 +174,29 @@ fn ways(graph: &TieGraph, copy: Copy) -> impl Iterator<Item = (Copy, u64)> + '_ 
         let tie = graph.tie(arc.tie);
         (2 * arc.to + (copy & 1 ^ u32::from(tie.is_mirrored)), tie.weight)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joints::Tie;
+
+    /// A face that is reached by one shorter way after another, and has many neighbours.
+    #[test]
+    fn each_way_out_of_a_face_is_looked_at_once() {
+        let count = 20;
+        let tie = |from: u32, to: u32, weight: u32| Tie {
+            ends: [from, to],
+            is_mirrored: false,
+            weight: u64::from(weight),
+        };
+        let (crowded, ways) = (2 * count + 1, 1..=count);
+        let there = ways.clone().map(|way| tie(0, way, way));
+        let on = ways.clone().map(|way| tie(way, crowded, 3 * (count - way) + 1));
+        let neighbours = ways.map(|way| tie(crowded, count + way, 1));
+        let graph = TieGraph::new(crowded as usize + 1, there.chain(on).chain(neighbours).collect());
+        let looks = graph.arc_count() as u64;
+        assert_eq!(Search::new(&graph, looks).round(0, 1000).unwrap(), None);
+        assert!(Search::new(&graph, looks - 1).round(0, 1000).is_err());
+    }
 }

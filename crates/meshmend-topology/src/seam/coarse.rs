@@ -87,3 +87,43 @@ impl Coarse {
         summed.collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tie(ends: [u32; 2], is_mirrored: bool, weight: u64) -> Tie {
+        Tie { ends, is_mirrored, weight }
+    }
+
+    #[test]
+    fn a_face_is_joined_with_the_neighbour_of_the_heaviest_tie_for_its_size() {
+        for (weights, sizes, partner) in [
+            ([1, 1], [1, 2], 1),
+            ([1, 1], [2, 1], 2),
+            ([3, 5], [1, 2], 1),
+            ([1, 3], [1, 2], 2),
+            ([2, 2], [3, 3], 1),
+        ] {
+            let ties = vec![tie([0, 1], false, weights[0]), tie([0, 2], false, weights[1])];
+            let coarse = Coarse::of(&TieGraph::new(3, ties), &[1, sizes[0], sizes[1]]);
+            let joined: Vec<u32> = coarse.of_fine.iter().map(|of| of.0).collect();
+            let expected = if partner == 1 { [0, 0, 1] } else { [0, 1, 0] };
+            assert_eq!(joined, expected, "{weights:?} {sizes:?}");
+        }
+    }
+
+    #[test]
+    fn parallel_ties_count_what_is_left_of_them() {
+        // Faces 2 and 3 are joined on opposite sides, so the tie of 1 and 3 turns.
+        let firm = [tie([0, 1], false, 9), tie([2, 3], true, 9)];
+        for (weights, left) in
+            [([3, 1], vec![tie([0, 1], false, 2)]), ([1, 3], vec![tie([0, 1], true, 2)]), ([2, 2], vec![])]
+        {
+            let between = [tie([0, 2], false, weights[0]), tie([1, 3], false, weights[1])];
+            let coarse = Coarse::of(&TieGraph::new(4, [firm, between].concat()), &[1; 4]);
+            assert_eq!(coarse.graph.ties(), left);
+            assert_eq!(coarse.in_fine(&[false, true]), [false, false, true, false]);
+        }
+    }
+}
