@@ -383,7 +383,7 @@ mod tests {
     #[test]
     fn where_no_faces_can_be_joined_the_lighter_joints_are_cut_too() {
         let joint = |ray: usize, is_mirrored: bool| {
-            let weight = if is_mirrored == (ray % 2 == 0) { 2 } else { 1 };
+            let weight = if is_mirrored == ray.is_multiple_of(2) { 2 } else { 1 };
             Joint { faces: [FaceId(0), FaceId::new(ray)], is_mirrored, weight }
         };
         let joints: Vec<Joint> =
