@@ -270,7 +270,7 @@ mod tests {
         assert_eq!(repaired.mesh.counts().faces, 3 * 4 + 1);
     }
 
-    /// A triangle at the first vertex, and beyond many others three that are created.
+    /// Triangles at the first vertex, and in the same squares as before three vertices that are created after many.
     #[test]
     fn created_vertices_are_no_stored_ones_however_many_there_are() {
         let mut soup = Soup::generic(4, [[0, 1, 2, 3], [0, 2, 1, 3], [0, 1, 3, 2]]);
