@@ -312,7 +312,7 @@ mod tests {
         assert_eq!(spelt(&[2, 0, 1]).as_deref(), Some("a"));
         // An annulus between the triangles 0 1 2 and 3 4 5, cut along 0 6 3.
         assert_eq!(spelt(&[6, 0, 1, 2, 0, 6, 3, 5, 4, 3]).as_deref(), Some("a b c b⁻¹"));
-        // A sphere of two faces, opened along one edge.
+        // A sphere opened along one edge.
         assert_eq!(spelt(&[1, 0]).as_deref(), Some("a a⁻¹"));
         for no_rim in [&[][..], &[0], &[0, 0, 1], &[0, 1, 0, 1, 0, 1]] {
             assert_eq!(spelt(no_rim), None, "{no_rim:?}");
