@@ -39,6 +39,35 @@ fn kernels_are_listed_and_tried() {
 }
 
 #[test]
+fn kernels_are_timed_on_a_file() {
+    let bench = ["kernels", &example("pinched.ply"), "--bench", "--runs", "1"];
+    let report = meshmend(&[&bench[..], &["--json"]].concat()).json();
+    assert_eq!((report["schema"].as_u64(), report["runs"].as_u64()), (Some(1), Some(1)));
+    let faces = report["faces"].as_u64();
+    assert!(faces > Some(0) && report["file"].is_string(), "{report}");
+    let kernels = report["kernels"].as_array().unwrap();
+    let times = |name: &str| {
+        let kernel = kernels.iter().find(|kernel| kernel["name"] == name).unwrap();
+        let seconds = kernel["seconds"].as_object().unwrap();
+        assert!(seconds.values().all(|time| time.as_f64() >= Some(0.0)), "{kernel}");
+        assert_eq!(kernel["refusal"].is_string(), seconds.is_empty(), "{kernel}");
+        assert_eq!(kernel["bytes_a_face"].is_number(), !seconds.is_empty(), "{kernel}");
+        seconds.keys().cloned().collect::<Vec<_>>()
+    };
+    let questions =
+        ["boundary-walk", "build", "components", "face-walk", "one-rings", "orientation", "report"];
+    assert_eq!(times("edge-use"), questions);
+    assert_eq!(times("face-vertex"), questions);
+    assert!(times("half-edge").is_empty());
+    let page = meshmend(&bench).succeeds().stdout;
+    for word in ["edge-use", "one-rings", "refuses", "(v0 joins 2 umbrellas)", "best of 1"] {
+        assert!(page.contains(word), "{word}: {page}");
+    }
+    meshmend(&["kernels", "--bench"]).fails(2, "FILE");
+    meshmend(&["kernels", &example("pinched.ply"), "--json"]).fails(2, "--bench");
+}
+
+#[test]
 fn every_word_of_the_glossary_is_explained() {
     let glossary = meshmend(&["explain"]).succeeds().stdout;
     let words: Vec<&str> = glossary

@@ -86,6 +86,7 @@
 //! `flatten` there is `unfold`, which lays a mesh out in the plane.
 
 mod check;
+mod kernel_bench;
 mod loops;
 mod mend;
 pub mod report;
@@ -103,6 +104,7 @@ pub use meshmend_shapes as shapes;
 pub use meshmend_topology as topology;
 
 pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check};
+pub use kernel_bench::{KernelCost, KernelQuestion};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, cut, loops};
 pub use mend::repair;
 pub use meshmend_core::{

@@ -1,12 +1,15 @@
 //! `meshmend kernels`: the ways of storing connectivity, and how they take a mesh.
 
-use std::path::PathBuf;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use meshmend::core::{Complex, Connectivity};
-use meshmend::{KernelKind, KernelTask, Refusal, View};
+use meshmend::report::{KernelTrial, KernelsDocument};
+use meshmend::{KernelCost, KernelKind, KernelTask, PolygonMesh, Refusal, View};
 
+use super::check::json_line;
 use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -22,6 +25,15 @@ pub(crate) struct Kernels {
     /// Look at the mesh as welded: none, exact, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding, requires = "file")]
     weld: Option<Welding>,
+    /// Time each kernel: built, and asked the usual questions
+    #[arg(long, requires = "file")]
+    bench: bool,
+    /// How often each kernel is timed; the best times are told
+    #[arg(long, value_name = "N", default_value = "3", requires = "bench")]
+    runs: NonZeroUsize,
+    /// Print the times as JSON
+    #[arg(long, requires = "bench")]
+    json: bool,
 }
 
 /// How a kernel took a mesh.
@@ -33,19 +45,38 @@ pub(crate) struct Trial {
 
 impl Kernels {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let mut text = render::kernels(console.style());
-        if let Some(path) = &self.file {
-            let file = read(path)?;
-            let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-            let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
-            let trials: Vec<Trial> =
-                KernelKind::ALL.iter().map(|&kernel| trial(kernel, mesh.complex())).collect();
-            text.push('\n');
-            text.push_str(&render::trials(&name(path), mesh.complex().proper_face_count(), &trials));
-        }
+        let Some(path) = &self.file else {
+            console.write(&render::kernels(console.style()))?;
+            return Ok(Status::Done);
+        };
+        let file = read(path)?;
+        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
+        let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
+        drop(file);
+        let text = if self.bench { self.bench(path, &mesh)? } else { tried(path, &mesh, console) };
         console.write(&text)?;
         Ok(Status::Done)
     }
+
+    /// What each kernel costs by the clock.
+    fn bench(&self, path: &Path, mesh: &PolygonMesh) -> Result<String, Failure> {
+        let (start, faces) = (Instant::now(), mesh.complex().proper_face_count());
+        let trial = |&kernel: &KernelKind| {
+            let cost = KernelCost::measure(kernel, mesh, self.runs.get(), || start.elapsed());
+            KernelTrial::new(kernel, faces, &cost)
+        };
+        let mut document =
+            KernelsDocument::new(faces, self.runs.get(), KernelKind::ALL.iter().map(trial).collect());
+        document.file = Some(name(path));
+        if self.json { json_line(&document) } else { Ok(render::kernel_times(&document)) }
+    }
+}
+
+/// The list of kernels, and how each takes a mesh.
+fn tried(path: &Path, mesh: &PolygonMesh, console: &Console<'_>) -> String {
+    let trials: Vec<Trial> = KernelKind::ALL.iter().map(|&kernel| trial(kernel, mesh.complex())).collect();
+    let list = render::kernels(console.style());
+    format!("{list}\n{}", render::trials(&name(path), mesh.complex().proper_face_count(), &trials))
 }
 
 /// Builds a kernel over a complex of its own, so that none profits from what another one had made.

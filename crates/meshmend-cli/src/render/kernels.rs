@@ -1,7 +1,8 @@
 //! The kernels, and how they took a mesh.
 
-use meshmend::KernelKind;
 use meshmend::core::Capabilities;
+use meshmend::report::{KernelTrial, KernelsDocument};
+use meshmend::{KernelKind, KernelQuestion};
 
 use super::table::{self, Align};
 use super::{Style, paragraph};
@@ -46,5 +47,27 @@ pub(crate) fn trials(file: &str, faces: usize, trials: &[Trial]) -> String {
     let mut page = paragraph(&heading, table::lines(&rows, &[Align::Left, Align::Right, Align::Right]));
     let refusals = trials.iter().filter_map(|trial| trial.result.as_ref().err());
     page.push_str(&paragraph("refusals", refusals.map(ToString::to_string)));
+    page.trim_start().to_owned()
+}
+
+/// What each kernel costs on a mesh, in nanoseconds a face.
+pub(crate) fn kernel_times(document: &KernelsDocument) -> String {
+    let KernelsDocument { file, faces, runs, kernels, .. } = document;
+    let nanoseconds = |seconds: &f64| format!("{:.1}", seconds * 1e9 / (*faces).max(1) as f64);
+    let row = |trial: &KernelTrial| {
+        let time = |question| trial.seconds.get(&question).map_or("–".to_owned(), nanoseconds);
+        let bytes = trial.bytes_a_face.map_or("refuses".to_owned(), |bytes| format!("{bytes:.1}"));
+        let cells = [trial.name.to_owned(), bytes].into_iter();
+        cells.chain(KernelQuestion::ALL.map(time)).collect()
+    };
+    let heading = ["kernel", "bytes a face"].into_iter().chain(KernelQuestion::ALL.map(KernelQuestion::name));
+    let heading = heading.map(str::to_owned).collect();
+    let rows: Vec<Vec<String>> = std::iter::once(heading).chain(kernels.iter().map(row)).collect();
+    let mut alignment = vec![Align::Right; KernelQuestion::ALL.len() + 2];
+    alignment[0] = Align::Left;
+    let file = file.as_deref().map(|file| format!("{}: ", super::printable(file))).unwrap_or_default();
+    let heading = format!("{file}{faces} faces, ns a face by the clock, best of {runs}");
+    let mut page = paragraph(&heading, table::lines(&rows, &alignment));
+    page.push_str(&paragraph("refusals", kernels.iter().filter_map(|trial| trial.refusal.clone())));
     page.trim_start().to_owned()
 }

@@ -17,6 +17,7 @@
 
 mod check_document;
 mod incremental_document;
+mod kernels_document;
 mod listing;
 mod loops_document;
 mod repair_document;
@@ -25,6 +26,7 @@ mod unfold_document;
 
 pub use check_document::{CheckDocument, DefectGroup};
 pub use incremental_document::{IncrementalDocument, RunningStep};
+pub use kernels_document::{KernelTrial, KernelsDocument};
 pub use listing::{Listing, MOST_POSITIONS, PlacedDefect};
 pub use loops_document::{
     ComponentLoops, CutComponent, CutDocument, LoopDocument, LoopsDocument, MOST_PATH_VERTICES, SeamDocument,
