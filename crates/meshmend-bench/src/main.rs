@@ -1,0 +1,35 @@
+//! `meshmend-bench`: what meshmend takes, and what it is compared with.
+//!
+//! `run` measures operations, `kernels` the ways of storing connectivity, `instructions` counts; `inputs` writes what
+//! other programs are measured on. Every figure is of a process of its own, which is this program started once more.
+
+mod chart;
+mod command;
+mod failure;
+mod inputs;
+mod instructions;
+mod kernels;
+mod measure;
+mod operations;
+mod random;
+mod rows;
+mod table;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use command::Command;
+
+#[global_allocator]
+static ALLOCATOR: cap::Cap<std::alloc::System> = cap::Cap::new(std::alloc::System, usize::MAX);
+
+fn main() -> ExitCode {
+    match Command::parse().run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("meshmend-bench: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
