@@ -3,7 +3,7 @@
 use crate::common::{
     assert_kept, faces, layer, names, note, read as read_as, refused as refused_as, try_read, written,
 };
-use meshmend_core::{Carry, Domain, FaceTable, Layer, Metadata, PolygonMesh, Values, VertexId};
+use meshmend_core::{Carry, Domain, FaceTable, Layer, Metadata, NO_VALUE, PolygonMesh, Values, VertexId};
 use meshmend_io::{
     Encoding, Format, Limits, Loss, LossKind, NoteKind, Place, ReadErrorKind, ReadFile, ReadOptions,
     read_bytes,
@@ -248,6 +248,13 @@ fn attributes_that_are_all_zero_are_named_as_lost() {
     assert_eq!((is_lost(&losses), read(bytes).mesh.layers()), (true, &[][..]));
     let (bytes, losses) = written(&attributes(7), Format::Stl, Encoding::LittleEndian);
     assert_eq!((is_lost(&losses), read(bytes).mesh.layers()), (false, attributes(7).layers()));
+    // A face without a number has to have one.
+    let some =
+        Layer::indexed("attribute", Domain::Face, 1, Carry::Copy, Values::U16(vec![7]), vec![NO_VALUE, 0]);
+    let mesh = read(binary("", 2, 2)).mesh.with_layers(vec![some]).unwrap();
+    let (bytes, losses) = written(&mesh, Format::Stl, Encoding::LittleEndian);
+    assert!(losses.iter().any(|loss| loss.kind == LossKind::AbsentValue), "{losses:?}");
+    assert_eq!(read(bytes).mesh.layers(), attributes(7).layers());
 }
 
 #[test]
