@@ -55,6 +55,10 @@ fn least(command: &Command, but: &Arg) -> Vec<String> {
             words.extend([option(argument), good(argument).0]);
         }
     }
+    // What an option asks for beside itself is not told by its description.
+    if command.get_name() == "kernels" && ["runs", "json"].contains(&but.get_id().as_str()) {
+        words.push("--bench".to_owned());
+    }
     words
 }
 
