@@ -45,4 +45,6 @@ pub use face_table::{FaceTable, FaceTableBuilder, FaceTableError, MAX_CORNERS};
 pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
 pub use mesh::{MeshError, Metadata, PolygonMesh};
 pub use provenance::{Counts, Provenance, Sources};
-pub use stars::{EdgeClass, Umbrellas, VertexClass, edge_class, is_inconsistent, umbrellas, vertex_classes};
+pub use stars::{
+    EdgeClass, Umbrellas, VertexClass, edge_class, is_inconsistent, is_manifold, umbrellas, vertex_classes,
+};

@@ -86,6 +86,17 @@ pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexCla
     kernel.vertices().map(|v| star.umbrellas(kernel, v).class()).collect()
 }
 
+/// Whether every edge has one side or two, and every vertex in a face one umbrella.
+///
+/// *Cost*: that of [`vertex_classes`] up to the first vertex that is neither disc nor half-disc.
+pub fn is_manifold<K: Connectivity>(kernel: &K) -> bool {
+    let mut star = Star::default();
+    kernel.vertices().all(|vertex| {
+        let class = star.umbrellas(kernel, vertex).class();
+        class.is_manifold() || class == VertexClass::Unreferenced
+    })
+}
+
 impl Umbrellas {
     /// The vertex's class.
     pub fn class(self) -> VertexClass {

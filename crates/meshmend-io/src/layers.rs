@@ -47,6 +47,14 @@ pub(crate) fn absent(layer: &Layer) -> usize {
     (0..layer.element_count()).filter(|&element| layer.value_of(element).is_none()).count()
 }
 
+/// The loss of so many values that elements don't have, as a format gives each element one.
+pub(crate) fn absent_loss(layer: &Layer, count: usize) -> Option<Loss> {
+    Loss::if_any(LossKind::AbsentValue, count, |count| {
+        let (domain, name) = (domain_name(layer.domain()), layer.name());
+        format!("that {count} {} have no {domain} attribute `{name}`", elements(layer))
+    })
+}
+
 /// A loss for each layer that is not among those which are written.
 pub(crate) fn layer_losses(mesh: &PolygonMesh, written: &[&Layer]) -> Vec<Loss> {
     let mut addresses: Vec<*const Layer> = written.iter().map(|&layer| std::ptr::from_ref(layer)).collect();

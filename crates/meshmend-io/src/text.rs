@@ -20,6 +20,11 @@ pub(crate) fn is_space(byte: u8) -> bool {
     is_blank(byte) || is_line_end(byte)
 }
 
+/// Where a text begins: after the byte order mark, if there is one.
+pub(crate) fn text_start(bytes: &[u8]) -> usize {
+    bytes.len() - without_mark(bytes).len()
+}
+
 /// The bytes after the byte order mark, if there is one.
 pub(crate) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)

@@ -1,6 +1,6 @@
 //! The three figures by which a pass's effect on the topology is told.
 
-use meshmend_core::{Connectivity, EdgeUse, PolygonMesh, vertex_classes};
+use meshmend_core::{Connectivity, EdgeUse, PolygonMesh, is_manifold};
 use meshmend_topology::{TopologyReport, boundary_loops, components};
 use serde::Serialize;
 
@@ -23,16 +23,11 @@ impl Figures {
         let kernel = EdgeUse::assemble(mesh.complex());
         let components = components(&kernel);
         let faces = mesh.complex().proper_face_count() as i64;
-        let classes = vertex_classes(&kernel);
-        let is_manifold = classes
-            .values()
-            .iter()
-            .all(|class| class.is_manifold() || *class == meshmend_core::VertexClass::Unreferenced);
         Figures {
             euler_characteristic: components.referenced_vertices() as i64 - kernel.edge_count() as i64
                 + faces,
             components: components.count() as u64,
-            boundary_loops: is_manifold.then(|| boundary_loops(&kernel).count() as u64),
+            boundary_loops: is_manifold(&kernel).then(|| boundary_loops(&kernel).count() as u64),
         }
     }
 

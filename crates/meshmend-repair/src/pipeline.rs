@@ -193,9 +193,6 @@ struct Run {
     takes_figures: bool,
     /// The figures of the mesh before each pass that changed it, and in the end of the last mesh, if asked for.
     figures: Vec<Figures>,
-    /// How often the mesh has changed, and how often it had before and after each pass.
-    changes: usize,
-    spans: Vec<[usize; 2]>,
 }
 
 impl Run {
@@ -208,24 +205,19 @@ impl Run {
             report: None,
             takes_figures,
             figures: Vec::new(),
-            changes: 0,
-            spans: Vec::new(),
         }
     }
 
     fn record(&mut self, pass: PassKind, outcome: Outcome) {
         let is_changed = !outcome.provenance.is_same() || !outcome.mended.is_empty();
-        let before = self.changes;
         if is_changed {
             self.name_removed_faces(pass, &outcome);
             self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
             self.figures.extend(self.figures());
-            self.changes += 1;
             self.report = None;
         }
         self.mesh = outcome.mesh;
         self.report = outcome.report.or(self.report.take());
-        self.spans.push([before, self.changes]);
         self.passes.push(PassRecord {
             pass,
             is_changed,
@@ -263,8 +255,12 @@ impl Run {
     fn finish(mut self) -> Repaired {
         self.figures.extend(self.figures());
         if self.takes_figures {
-            let spans = self.passes.iter_mut().zip(&self.spans);
-            spans.for_each(|(record, span)| record.figures = Some(span.map(|at| self.figures[at])));
+            let mut changes = 0;
+            for record in &mut self.passes {
+                let before = changes;
+                changes += usize::from(record.is_changed);
+                record.figures = Some([before, changes].map(|at| self.figures[at]));
+            }
         }
         let provenance = self.history.provenance().clone();
         let survives = provenance.faces.survivors(provenance.before.faces);

@@ -18,7 +18,7 @@
 
 use meshmend_core::{
     Blend, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeClass, FaceTableBuilder, Id, PolygonMesh,
-    Sources, VertexClass, VertexId, edge_class, is_inconsistent, vertex_classes,
+    Sources, VertexClass, VertexId, edge_class, is_inconsistent, is_manifold, vertex_classes,
 };
 use meshmend_kernels::KernelTask;
 use serde::{Deserialize, Serialize};
@@ -167,7 +167,7 @@ impl Task<'_> {
     fn is_whole<K: Connectivity>(&self, kernel: &K, names: &StoredNames<'_>) -> bool {
         let clashes = || kernel.edges().any(|edge| is_inconsistent(kernel, edge));
         let has_no_seam = self.options.seams == Seams::Keep || !clashes();
-        has_no_seam && whole::is_manifold(kernel) && whole::keeps_names(kernel, self.mesh, names)
+        has_no_seam && is_manifold(kernel) && whole::keeps_names(kernel, self.mesh, names)
     }
 
     fn outcome<K: Connectivity>(

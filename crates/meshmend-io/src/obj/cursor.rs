@@ -19,7 +19,7 @@ pub(super) const COLUMNS: usize = 8;
 impl<'a> Cursor<'a> {
     /// The start of a file, after its byte order mark.
     pub(super) fn new(source: &'a Source<'a>) -> Self {
-        let at = source.bytes.len() - text::without_mark(source.bytes).len();
+        let at = text::text_start(source.bytes);
         Cursor { source, bytes: source.bytes, at }
     }
 

@@ -58,7 +58,7 @@ struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     fn new(source: &'a Source<'a>, limits: &'a Limits) -> Self {
-        let at = source.bytes.len() - text::without_mark(source.bytes).len();
+        let at = text::text_start(source.bytes);
         Reader { source, bytes: source.bytes, limits, at, parts: Parts::default() }
     }
 

@@ -5,11 +5,11 @@ use std::io;
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
 use crate::layers::{
-    absent, elements, has_fractions, is_numeric, layer_losses, layer_of, loose_losses, metadata_losses,
+    absent, absent_loss, has_fractions, is_numeric, layer_losses, layer_of, loose_losses, metadata_losses,
     number, one_line, spelling_loss,
 };
 use crate::sink::Sink;
-use crate::{Encoding, Loss, LossKind, WriteErrorKind};
+use crate::{Encoding, Loss, WriteErrorKind};
 
 /// Which layers are written.
 struct Plan<'a> {
@@ -59,9 +59,7 @@ pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
     let written: Vec<&Layer> = written.into_iter().flatten().collect();
     let mut losses = layer_losses(mesh, &written);
     for layer in [plan.normal, plan.texcoord].into_iter().flatten() {
-        losses.extend(Loss::if_any(LossKind::AbsentValue, absent(layer), |count| {
-            format!("that {count} {} have no vertex attribute `{}`", elements(layer), layer.name())
-        }));
+        losses.extend(absent_loss(layer, absent(layer)));
     }
     losses.extend(loose_losses(mesh));
     losses.extend(metadata_losses(mesh, &["comment"]));

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
-use crate::layers::{absent, domain_name, elements, layer_losses, metadata_losses, one_line, point_loss};
+use crate::layers::{absent, absent_loss, domain_name, layer_losses, metadata_losses, one_line, point_loss};
 use crate::ply::layers::usual;
 use crate::ply::scalar::Scalar;
 use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES};
@@ -108,13 +108,13 @@ impl<'a> Plan<'a> {
                 let prefix = if is_usual { "" } else { CORNER_PREFIX };
                 let shape = Shape::Corners(Scalar::counting(most_corners.saturating_mul(layer.width())));
                 self.push(layer, format!("{prefix}{}", layer.name()), item, shape);
-                self.note_absent(layer, partly_absent(mesh, layer));
+                self.losses.extend(absent_loss(layer, partly_absent(mesh, layer)));
             }
             (_, Values::Lists { starts, items }) if layer.width() == 1 => {
                 let Some(item) = Scalar::of(items) else { return };
                 let most = starts.windows(2).map(|pair| (pair[1] - pair[0]) as usize).max().unwrap_or(0);
                 self.push(layer, layer.name().to_owned(), item, Shape::List(Scalar::counting(most)));
-                self.note_absent(layer, absent(layer));
+                self.losses.extend(absent_loss(layer, absent(layer)));
             }
             (_, Values::Lists { .. }) => {}
             (_, values) => {
@@ -122,7 +122,7 @@ impl<'a> Plan<'a> {
                 for (component, name) in names(mesh, layer).into_iter().enumerate() {
                     self.push(layer, name, item, Shape::Component(component));
                 }
-                self.note_absent(layer, absent(layer));
+                self.losses.extend(absent_loss(layer, absent(layer)));
             }
         }
     }
@@ -140,13 +140,6 @@ impl<'a> Plan<'a> {
         }
         let columns = if element == Domain::Vertex { &mut self.vertex } else { &mut self.face };
         columns.push(Column { name: spelled, layer, item, shape });
-    }
-
-    fn note_absent(&mut self, layer: &Layer, count: usize) {
-        self.losses.extend(Loss::if_any(LossKind::AbsentValue, count, |count| {
-            let (domain, name) = (domain_name(layer.domain()), layer.name());
-            format!("that {count} {} have no {domain} attribute `{name}`", elements(layer))
-        }));
     }
 }
 

@@ -11,7 +11,7 @@ use crate::text::{self, is_blank, is_space};
 use crate::{Limits, NoteKind, Place, ReadError};
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
-    let at = source.bytes.len() - text::without_mark(source.bytes).len();
+    let at = text::text_start(source.bytes);
     let mut reader = Reader { source, limits, at, parts: Parts::default(), solids: Vec::new() };
     while reader.next() < source.bytes.len() {
         reader.solid()?;

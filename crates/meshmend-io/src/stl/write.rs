@@ -4,7 +4,7 @@ use std::io;
 
 use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId};
 
-use crate::layers::{absent, layer_losses, layer_of, loose_losses, metadata_losses};
+use crate::layers::{absent, absent_loss, layer_losses, layer_of, loose_losses, metadata_losses};
 use crate::sink::Sink;
 use crate::stl::{HEAD, HEADER, SOLID};
 use crate::text::{trimmed, without_mark};
@@ -181,7 +181,8 @@ pub(super) fn losses(mesh: &PolygonMesh, encoding: Encoding) -> Vec<Loss> {
         if is_text { object_layer(mesh).map(|(l, _)| l) } else { attribute_layer(mesh).map(|(l, _)| l) };
     let mut losses = geometry_losses(mesh);
     losses.extend(layer_losses(mesh, written.as_slice()));
-    losses.extend(written.filter(|_| !is_text).and_then(zero_loss));
+    // A facet without a number of its own has 0.
+    losses.extend(written.filter(|_| !is_text).and_then(|layer| absent_loss(layer, absent(layer))));
     losses.extend(loose_losses(mesh));
     let written_keys: &[&str] = match (is_text, written) {
         (false, _) => &[HEADER],
@@ -191,13 +192,6 @@ pub(super) fn losses(mesh: &PolygonMesh, encoding: Encoding) -> Vec<Loss> {
     losses.extend(metadata_losses(mesh, written_keys));
     losses.extend(name_losses(mesh, is_text));
     losses
-}
-
-/// A facet without a value of its own has 0.
-fn zero_loss(attributes: &Layer) -> Option<Loss> {
-    Loss::if_any(LossKind::AbsentValue, absent(attributes), |count| {
-        format!("that {count} faces have no face attribute `attribute`")
-    })
 }
 
 fn name_losses(mesh: &PolygonMesh, is_text: bool) -> Option<Loss> {

@@ -1,3 +1,5 @@
+//! The oracle against figures that are known in closed form.
+
 use meshmend_core::{Defect, DefectKind, VertexId};
 use proptest::prelude::*;
 

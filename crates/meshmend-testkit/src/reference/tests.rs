@@ -1,3 +1,5 @@
+//! The port of the reference pipeline on meshes whose repair is known.
+
 use super::*;
 use crate::shapes::{catalogue, duplicate_chain, two_boxes_on_an_edge};
 
