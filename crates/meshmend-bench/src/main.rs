@@ -17,12 +17,15 @@ mod table;
 
 use std::process::ExitCode;
 
+use cap::Cap;
 use clap::Parser;
+use mimalloc::MiMalloc;
 
 use command::Command;
 
+/// That of the command line, counted.
 #[global_allocator]
-static ALLOCATOR: cap::Cap<std::alloc::System> = cap::Cap::new(std::alloc::System, usize::MAX);
+static ALLOCATOR: Cap<MiMalloc> = Cap::new(MiMalloc, usize::MAX);
 
 fn main() -> ExitCode {
     match Command::parse().run() {

@@ -1,12 +1,12 @@
 //! Measuring, in a process that does nothing else.
 
-use std::alloc::System;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 use cap::Cap;
 use clap::ValueEnum;
 use cpu_time::ProcessTime;
+use mimalloc::MiMalloc;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
@@ -33,7 +33,7 @@ pub(crate) fn measure(
     file: &Path,
     scratch: &Path,
     runs: usize,
-    allocator: &Cap<System>,
+    allocator: &Cap<MiMalloc>,
 ) -> Result<Measured, Failure> {
     let mut measured = Measured { cpu: Vec::new(), wall: Vec::new(), peak: 0, figures: Figures::default() };
     for run in 0..runs {

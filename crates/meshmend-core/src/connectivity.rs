@@ -118,6 +118,13 @@ pub trait Connectivity: Sized + Send + Sync {
         self.vertex_corners(vertex).map(|c| self.corner_face(c))
     }
 
+    /// The corners whose sides run along an edge, ascending, each with whether its side runs from the smaller to the
+    /// larger vertex.
+    fn edge_sides(&self, edge: EdgeId) -> impl Iterator<Item = (CornerId, bool)> + Clone {
+        let low = self.edge_ends(edge)[0];
+        self.edge_corners(edge).map(move |corner| (corner, self.corner_vertex(corner) == low))
+    }
+
     /// The vertex to which a corner's side runs.
     fn corner_target(&self, corner: CornerId) -> VertexId {
         self.corner_vertex(self.next_corner(corner))

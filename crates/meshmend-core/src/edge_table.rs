@@ -3,7 +3,7 @@
 //! ```text
 //! ends          (v0,v1) (v0,v2) (v1,v2) ...      sorted by (smaller vertex, larger vertex)
 //! corner_edge   c0 → e0   c1 → e2   ...          the side that begins at the corner
-//! edge_corners  e0: c0 c7 | e1: c2 | ...         ascending corners, grouped by edge
+//! edge_sides    e0: c0 c7 | e1: c2 | ...         ascending corners, grouped by edge, each with its side's direction
 //! ```
 //!
 //! Bytes a triangle of a closed mesh: 12 + 12 + 12 + 6 = 42.
@@ -19,7 +19,25 @@ pub struct EdgeTable {
     ends: Column<EdgeId, [VertexId; 2]>,
     corner_edge: Column<CornerId, EdgeId>,
     starts: Vec<u32>,
-    edge_corners: Vec<CornerId>,
+    edge_sides: Vec<EdgeSide>,
+}
+
+/// A corner whose side runs along an edge, and which way: one word, as there are fewer than 2³¹ corners.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EdgeSide(u32);
+
+impl EdgeSide {
+    /// The corner at which the side begins.
+    #[inline]
+    pub fn corner(self) -> CornerId {
+        CornerId(self.0 >> 1)
+    }
+
+    /// Whether the side runs from the smaller to the larger vertex.
+    #[inline]
+    pub fn is_forward(self) -> bool {
+        self.0 & 1 == 1
+    }
 }
 
 impl EdgeTable {
@@ -32,24 +50,24 @@ impl EdgeTable {
         let mut ends = Vec::with_capacity(corner_count / 2 + 1);
         let mut starts = Vec::with_capacity(corner_count / 2 + 2);
         let mut corner_edge = Column::filled(EdgeId(0), corner_count);
-        let mut edge_corners = Vec::with_capacity(corner_count);
+        let mut edge_sides = Vec::with_capacity(corner_count);
         for (low, bucket) in bucket_starts.windows(2).enumerate() {
             let mut last = None;
             for &side in &sides[bucket[0] as usize..bucket[1] as usize] {
-                let (high, corner) = (VertexId((side >> 32) as u32), CornerId(side as u32));
+                let (high, side) = (VertexId((side >> 32) as u32), EdgeSide(side as u32));
                 if last != Some(high) {
                     last = Some(high);
-                    starts.push(edge_corners.len() as u32);
+                    starts.push(edge_sides.len() as u32);
                     ends.push([VertexId::new(low), high]);
                 }
-                corner_edge[corner] = EdgeId::new(ends.len() - 1);
-                edge_corners.push(corner);
+                corner_edge[side.corner()] = EdgeId::new(ends.len() - 1);
+                edge_sides.push(side);
             }
         }
-        starts.push(edge_corners.len() as u32);
+        starts.push(edge_sides.len() as u32);
         ends.shrink_to_fit();
         starts.shrink_to_fit();
-        EdgeTable { ends: ends.into(), corner_edge, starts, edge_corners }
+        EdgeTable { ends: ends.into(), corner_edge, starts, edge_sides }
     }
 
     /// How many edges there are.
@@ -81,9 +99,15 @@ impl EdgeTable {
 
     /// The corners whose sides run along an edge, ascending.
     #[inline]
-    pub fn edge_corners(&self, edge: EdgeId) -> &[CornerId] {
+    pub fn edge_corners(&self, edge: EdgeId) -> impl ExactSizeIterator<Item = CornerId> + Clone {
+        self.edge_sides(edge).iter().map(|side| side.corner())
+    }
+
+    /// The same, each with the direction of its side.
+    #[inline]
+    pub fn edge_sides(&self, edge: EdgeId) -> &[EdgeSide] {
         let e = edge.index();
-        &self.edge_corners[self.starts[e] as usize..self.starts[e + 1] as usize]
+        &self.edge_sides[self.starts[e] as usize..self.starts[e + 1] as usize]
     }
 
     /// Bytes on the heap.
@@ -91,11 +115,11 @@ impl EdgeTable {
         self.ends.heap_bytes()
             + self.corner_edge.heap_bytes()
             + self.starts.capacity() * size_of::<u32>()
-            + self.edge_corners.capacity() * size_of::<CornerId>()
+            + self.edge_sides.capacity() * size_of::<EdgeSide>()
     }
 }
 
-/// All sides as (larger vertex, corner), grouped by smaller vertex and sorted within each group.
+/// All sides as (larger vertex, [`EdgeSide`]), grouped by smaller vertex and sorted within each group.
 fn bucket_sides(faces: &FaceTable) -> (Vec<u32>, Vec<u64>) {
     let mut starts = vec![0u32; faces.vertex_count() + 1];
     for_each_side(faces, |_, from, to| starts[from.min(to).index()] += 1);
@@ -107,7 +131,8 @@ fn bucket_sides(faces: &FaceTable) -> (Vec<u32>, Vec<u64>) {
     let mut next = starts.clone();
     for_each_side(faces, |corner, from, to| {
         let place = &mut next[from.min(to).index()];
-        sides[*place as usize] = u64::from(from.max(to).0) << 32 | u64::from(corner.0);
+        sides[*place as usize] =
+            u64::from(from.max(to).0) << 32 | u64::from(corner.0 << 1 | u32::from(from < to));
         *place += 1;
     });
     for bucket in starts.windows(2) {
@@ -146,7 +171,10 @@ mod tests {
         let table = EdgeTable::build(&FaceTable::triangles(5, corners).unwrap());
         let ends: Vec<_> = table.all_ends().iter().map(|e| e.map(|v| v.0)).collect();
         assert_eq!(ends, [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [1, 3], [1, 4]]);
-        assert_eq!(table.edge_corners(EdgeId(0)), [CornerId(1), CornerId(3), CornerId(6)]);
+        assert!(table.edge_corners(EdgeId(0)).eq([1, 3, 6].map(CornerId)));
+        let directions: Vec<bool> =
+            table.edge_sides(EdgeId(0)).iter().map(|side| side.is_forward()).collect();
+        assert_eq!(directions, [false, true, false]);
         assert_eq!(table.corner_edge(CornerId(7)), EdgeId(3));
     }
 }

@@ -114,7 +114,11 @@ impl Connectivity for EdgeUse {
     }
     #[inline]
     fn edge_corners(&self, edge: EdgeId) -> impl Iterator<Item = CornerId> + Clone {
-        self.edges.edge_corners(edge).iter().copied()
+        self.edges.edge_corners(edge)
+    }
+    #[inline]
+    fn edge_sides(&self, edge: EdgeId) -> impl Iterator<Item = (CornerId, bool)> + Clone {
+        self.edges.edge_sides(edge).iter().map(|side| (side.corner(), side.is_forward()))
     }
     #[inline]
     fn vertex_corners(&self, vertex: VertexId) -> impl Iterator<Item = CornerId> + Clone {

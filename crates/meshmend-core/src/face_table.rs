@@ -115,6 +115,20 @@ impl FaceTable {
         FaceTable { vertex_count, starts, corners }.checked()
     }
 
+    /// Faces of the same sizes over other vertices.
+    ///
+    /// # Errors
+    /// When there are more or fewer corners, one names a vertex at or beyond `vertex_count`, or there are too many
+    /// elements.
+    ///
+    /// *Cost*: one pass over the corners.
+    pub fn over(&self, vertex_count: usize, corners: Vec<VertexId>) -> Result<Self, FaceTableError> {
+        if corners.len() != self.corners.len() {
+            return Err(FaceTableError::BadStarts { corner_count: corners.len() });
+        }
+        FaceTable { vertex_count, starts: self.starts.clone(), corners }.checked()
+    }
+
     fn checked(self) -> Result<Self, FaceTableError> {
         for (what, count) in
             [("vertices", self.vertex_count), ("corners", self.corners.len()), ("faces", self.face_count())]
@@ -292,6 +306,16 @@ mod tests {
 
     fn ids(list: &[u32]) -> Vec<VertexId> {
         list.iter().copied().map(VertexId).collect()
+    }
+
+    #[test]
+    fn faces_of_the_same_sizes_over_other_vertices() {
+        let table = FaceTable::polygons(5, vec![0, 2, 6], ids(&[0, 1, 1, 2, 3, 4])).unwrap();
+        let other = table.over(2, ids(&[1, 0, 0, 1, 0, 1])).unwrap();
+        assert_eq!(other, FaceTable::polygons(2, vec![0, 2, 6], ids(&[1, 0, 0, 1, 0, 1])).unwrap());
+        assert_eq!(table.over(2, ids(&[0, 1])), Err(FaceTableError::BadStarts { corner_count: 2 }));
+        let beyond = FaceTableError::NoSuchVertex { face: 1, vertex: 7, vertex_count: 2 };
+        assert_eq!(table.over(2, ids(&[0, 1, 7, 0, 0, 0])), Err(beyond));
     }
 
     #[test]

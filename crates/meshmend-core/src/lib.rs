@@ -39,7 +39,7 @@ pub use connectivity::{Connectivity, ManifoldConnectivity};
 pub use cycles::{canonical_rotation, distinct_count};
 pub use defect::{Defect, DefectKind, Severity};
 pub use draft::{Blend, Draft, DraftError, Loose, VertexDraft};
-pub use edge_table::EdgeTable;
+pub use edge_table::{EdgeSide, EdgeTable};
 pub use edge_use::EdgeUse;
 pub use face_table::{FaceTable, FaceTableBuilder, FaceTableError, MAX_CORNERS};
 pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};

@@ -28,8 +28,10 @@ impl<I: Id> Sources<I> {
 
     /// A source for each new element.
     pub fn listed(sources: impl IntoIterator<Item = Option<I>>) -> Self {
-        let listed: Vec<u32> =
-            sources.into_iter().map(|s| s.map_or(CREATED, |id| id.index() as u32)).collect();
+        Self::of_words(sources.into_iter().map(|s| s.map_or(CREATED, |id| id.index() as u32)).collect())
+    }
+
+    fn of_words(listed: Vec<u32>) -> Self {
         let count = listed.len();
         let is_same = listed.iter().zip(0..).all(|(&old, new)| old == new);
         Sources { count, listed: (!is_same).then_some(listed), kind: std::marker::PhantomData }
@@ -88,6 +90,13 @@ impl<I: Id> Sources<I> {
         } else {
             Sources::listed(later.iter().map(|(_, middle)| middle.and_then(|m| self.of(m))))
         }
+    }
+}
+
+impl<I: Id> From<Vec<I>> for Sources<I> {
+    /// A source for each new element, none of which was created.
+    fn from(sources: Vec<I>) -> Self {
+        Self::of_words(sources.into_iter().map(|id| id.index() as u32).collect())
     }
 }
 

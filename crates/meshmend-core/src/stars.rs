@@ -53,9 +53,9 @@ pub fn edge_class<K: Connectivity>(kernel: &K, edge: EdgeId) -> EdgeClass {
 
 /// Whether an edge has exactly two sides and both run the same way.
 pub fn is_inconsistent<K: Connectivity>(kernel: &K, edge: EdgeId) -> bool {
-    let mut sides = kernel.edge_corners(edge);
+    let mut sides = kernel.edge_sides(edge);
     match (sides.next(), sides.next(), sides.next()) {
-        (Some(one), Some(other), None) => kernel.corner_vertex(one) == kernel.corner_vertex(other),
+        (Some((_, one)), Some((_, other)), None) => one == other,
         _ => false,
     }
 }

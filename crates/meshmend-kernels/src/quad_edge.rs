@@ -271,13 +271,14 @@ fn make_edges(faces: &FaceTable, table: &EdgeTable) -> (Subdivision<Labels>, Col
     let mut edges = Subdivision::with_capacity(table.edge_count());
     let mut edge_quad = Vec::with_capacity(table.edge_count());
     for edge in table.edges() {
-        let corners = table.edge_corners(edge);
-        let sides = [corners[0], corners.get(1).copied().unwrap_or(NO_CORNER)];
+        let mut corners = table.edge_sides(edge).iter();
+        let Some(first) = corners.next() else { continue };
+        let second = corners.next();
         let [low, high] = table.ends(edge);
-        let from = faces.corner_vertex(sides[0]);
-        let to = if from == low { high } else { low };
-        let same_way = sides[1] != NO_CORNER && faces.corner_vertex(sides[1]) == from;
+        let [from, to] = if first.is_forward() { [low, high] } else { [high, low] };
+        let same_way = second.is_some_and(|second| second.is_forward() == first.is_forward());
         let runs = if same_way { SecondSide::SameWay } else { SecondSide::Opposite };
+        let sides = [first.corner(), second.map_or(NO_CORNER, |second| second.corner())];
         let unknown = FaceId::new(faces.face_count());
         edge_quad.push(edges.make_edge(Labels { ends: [from, to], faces: [unknown; 2], sides, runs }));
     }

@@ -1,6 +1,6 @@
 //! What an overlay becomes in a panel: lines, marks, labels, and what the legend says of them.
 
-use meshmend_core::{CornerId, EdgeId, FaceId, Id, PolygonMesh, VertexId};
+use meshmend_core::{EdgeId, FaceId, Id, PolygonMesh, VertexId};
 use meshmend_topology::OneSidedStrip;
 
 use crate::appearance::{self, Colour, Fill, Ink};
@@ -158,8 +158,8 @@ impl View<'_> {
     fn across_edges(&self, edges: &[EdgeId]) -> Layer {
         let complex = self.mesh.complex();
         let faces_along = |edge: EdgeId| {
-            let corners: &[CornerId] = complex.edges().edge_corners(edge);
-            let faces = corners.iter().take(2).map(|&corner| complex.faces().corner_face(corner));
+            let corners = complex.edges().edge_corners(edge);
+            let faces = corners.take(2).map(|corner| complex.faces().corner_face(corner));
             faces.collect::<Vec<FaceId>>()
         };
         let mut layer = Layer::empty(appearance::COTREE);

@@ -28,7 +28,8 @@ pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
 
 /// The same for any points.
 pub(crate) fn coincident_points(positions: &[[f64; 3]]) -> Vec<VertexId> {
-    if positions.par_iter().all(|p| p.iter().all(|&x| f64::from(x as f32) == x)) {
+    let are_single = |positions: &[[f64; 3]]| positions.iter().flatten().all(|&x| f64::from(x as f32) == x);
+    if positions.par_chunks(CHUNK).all(are_single) {
         lowest_of_equal(positions, |p| p.map(|x| (x as f32 + 0.0).to_bits()))
     } else {
         // A coordinate that is no number equals none, itself included, so such positions come here.

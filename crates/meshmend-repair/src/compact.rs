@@ -9,7 +9,7 @@
 //! *Promises* no unreferenced vertex but those of kept loose elements. *Requires* that degenerate
 //! faces are gone, as their vertices stay with them. *May introduce* nothing. *Cost*: linear.
 
-use meshmend_core::{Defect, DefectKind, Draft, FaceTable, Id, Loose, PolygonMesh, Sources, VertexId};
+use meshmend_core::{Defect, DefectKind, Draft, Id, Loose, PolygonMesh, Sources, VertexId};
 use serde::{Deserialize, Serialize};
 
 use crate::{Context, Outcome, Pass, PassError};
@@ -109,11 +109,7 @@ fn draft(mesh: &PolygonMesh, is_kept: &[bool], drop_loose: Loose) -> Result<Draf
     }
     let old = mesh.faces();
     let corners = old.corner_vertices().iter().map(|v| new_id[v.index()]).collect();
-    let faces = match old.starts() {
-        None => FaceTable::triangles(sources.len(), corners),
-        Some(starts) => FaceTable::polygons(sources.len(), starts.to_vec(), corners),
-    };
-    let faces = faces?;
+    let faces = old.over(sources.len(), corners)?;
     let (face_sources, corner_sources) = (Sources::same(old.face_count()), Sources::same(old.corner_count()));
     Ok(Draft {
         vertex_sources: Sources::listed(sources),

@@ -30,9 +30,13 @@ impl Matching {
         let mut matching = Matching::free(kernel.corner_count());
         let mut groups = StoredGroups::default();
         for edge in kernel.edges() {
-            match groups.uses_of(kernel, names, edge) {
-                [one, other] => matching.pair(one.corner, other.corner),
-                uses => {
+            let mut corners = kernel.edge_corners(edge);
+            match (corners.next(), corners.next(), corners.next()) {
+                // Two are a pair by one rule or the other.
+                (Some(one), Some(other), None) => matching.pair(one, other),
+                (_, _, None) => {}
+                _ => {
+                    let uses = groups.uses_of(kernel, names, edge);
                     for group in uses.chunk_by(|one, other| one.stored == other.stored) {
                         if let [one, other] = group {
                             matching.pair(one.corner, other.corner);

@@ -1,14 +1,16 @@
 //! What a pass mended, in little memory.
 
-use meshmend_core::{Defect, Id, VertexId};
+use meshmend_core::{Defect, EdgeId, Id, VertexId};
 
 /// What was wrong and no longer is, by ids of the mesh before.
 ///
-/// Welding a soup of ten million triangles joins twenty-five million vertices, so those are kept as one map and are
-/// made into defects as they are asked for.
+/// Welding a soup of ten million triangles joins twenty-five million vertices, and turning half of its faces mends seven
+/// million edges, so those are kept as bare numbers and are made into defects as they are asked for.
 #[derive(Clone, Debug, Default)]
 pub struct Mended {
     listed: Vec<Defect>,
+    /// Inconsistent edges with their ends, ascending.
+    turned: Vec<(EdgeId, [VertexId; 2])>,
     /// For each vertex the one that it was joined to, or itself.
     joined_to: Vec<VertexId>,
     joined: usize,
@@ -18,12 +20,17 @@ impl Mended {
     /// The vertices that were joined to others: for each vertex the lowest one of its class.
     pub(crate) fn joined(joined_to: Vec<VertexId>) -> Self {
         let joined = joined_to.iter().enumerate().filter(|(v, low)| low.index() != *v).count();
-        Mended { listed: Vec::new(), joined_to, joined }
+        Mended { joined_to, joined, ..Mended::default() }
+    }
+
+    /// Inconsistent edges with their ends, ascending, and faces that went before they could be turned.
+    pub(crate) fn turned(turned: Vec<(EdgeId, [VertexId; 2])>, faces: Vec<Defect>) -> Self {
+        Mended { turned, ..faces.into() }
     }
 
     /// How many defects were mended.
     pub fn len(&self) -> usize {
-        self.listed.len() + self.joined
+        self.listed.len() + self.turned.len() + self.joined
     }
 
     /// Whether there was nothing to mend.
@@ -36,7 +43,9 @@ impl Mended {
         let joined = self.joined_to.iter().enumerate().filter(|(v, low)| low.index() != *v);
         let joined =
             joined.map(|(v, &original)| Defect::CoincidentVertex { vertex: VertexId::new(v), original });
-        self.listed.iter().cloned().chain(joined)
+        let turned = self.turned.iter().map(|&(edge, ends)| Defect::InconsistentEdge { edge, ends });
+        // A pass joins vertices or turns faces; those that it drops come before edges.
+        self.listed.iter().cloned().chain(turned).chain(joined)
     }
 
     /// For each vertex the one that it was joined to, or itself; empty where none was.
@@ -44,7 +53,7 @@ impl Mended {
         &self.joined_to
     }
 
-    /// The defects but for vertices that were joined.
+    /// The defects but for vertices that were joined and edges whose faces were turned.
     pub(crate) fn listed(&self) -> &[Defect] {
         &self.listed
     }

@@ -1,31 +1,45 @@
 //! Which points are within a distance of each other, without missing a pair across a cell's wall.
 //!
-//! Space is divided into cubes so small that any two points in one cube are near. Then only pairs of points in
-//! different cubes up to two steps apart have to be measured, and only while the cubes are not joined already.
-//! The cubes that hold points are sorted, and for each of the steps in (x, y) a pointer runs along once.
+//! Space is divided into cubes so small that any two points in one cube are near, and four cubes along each axis are a
+//! cell. Near points are in cubes up to two steps apart, so in one cell or in cells beside each other:
 //!
-//! Points in the same place are one point to all of this.
+//! ```text
+//! ┌─┬─┬─┬─╥─┬─┬─┬─╥       points are sorted by cell and cube; for each row of cells beside a cell a pointer runs
+//! ├─┼─┼─┼─╫─┼─┼─┼─╫       along once
+//! ├─┼─┼a┼b╫─┼─┼─┼─╫       a and b: compared within the cell
+//! ├─┼─┼─┼c╫d┼─┼─┼─╫       c and d: compared across the wall
+//! ╞═╪═╪═╪═╬═╪═╪═╪═╬
+//! ```
+//!
+//! Cubes are only compared while they are not joined already.
 
-use meshmend_core::VertexId;
+mod pairs;
+mod places;
+
+use meshmend_core::{Id, VertexId};
 use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
-use crate::coincident::coincident_points;
 use crate::{Context, PassError};
+use pairs::Nearness;
+use places::{Cube, Layout, Packed, Places, Spread};
 
-/// The side of a cube in parts of the distance: a little under 1/√3, so that its diagonal is within it.
-const SIDE: f64 = 0.577;
+/// The side of a cube in parts of the distance. Less than 1/√3, so that a cube's diagonal is within the distance, and
+/// more than 1/2, so that the distance is within two sides; both by more than what quotients are rounded by.
+const SIDE: f64 = 0.54;
 
 /// Quotients of this size have no fraction left to tell cubes apart reliably.
-const LARGEST_QUOTIENT: f64 = (1u64 << 50) as f64;
+const LARGEST_QUOTIENT: f64 = (1u64 << 48) as f64;
 
-/// A cube's place, in sides.
-type Cube = [i64; 3];
+/// After so many cells a request to stop is looked for.
+const CELLS_BETWEEN_LOOKS: usize = 1 << 16;
+
+/// The rows of cells along z beside a cell, by their steps along x and y; the other half comes from the other side.
+const ROWS: [[i8; 2]; 5] = [[0, 0], [0, 1], [1, -1], [1, 0], [1, 1]];
 
 /// For each point the lowest one of its class: the connected components of "distance ≤ ε" among the finite points.
 ///
-/// *Cost*: O(n log n) and the pairs measured: near cubes that are not joined yet measure all their pairs, which is
-/// many only where two dense clusters lie just farther apart than ε.
+/// *Cost*: sorting the points; some 30 bytes a point, or 45 and more where ε is small beside the extent.
 ///
 /// # Errors
 /// When ε is so small beside the coordinates that doubles can't resolve it.
@@ -34,103 +48,211 @@ pub(crate) fn classes(
     epsilon: f64,
     context: &Context<'_>,
 ) -> Result<Vec<VertexId>, PassError> {
-    let side = (epsilon * SIDE).max(f64::MIN_POSITIVE);
-    let finite = |p: &[f64; 3]| p.iter().all(|x| x.is_finite());
-    let extent = points.iter().filter(|p| finite(p)).flatten().fold(0.0f64, |most, x| most.max(x.abs()));
-    if extent / side > LARGEST_QUOTIENT {
+    let side = epsilon * SIDE;
+    let Some((low, high)) = bounds(points) else { return Ok((0..points.len()).map(VertexId::new).collect()) };
+    let extent = low.iter().chain(&high).fold(0.0f64, |most, x| most.max(x.abs()));
+    if side < f64::MIN_POSITIVE || extent / side > LARGEST_QUOTIENT {
         let reason = format!(
             "a tolerance of {epsilon:e} can't be resolved by coordinates as large as {extent:e}; weld exactly instead"
         );
         return Err(PassError::Request { pass: "weld", reason });
     }
-    let cube_of = |p: &[f64; 3]| p.map(|x| (x / side).floor() as i64);
-    let same = coincident_points(points);
-    let mut keyed: Vec<(Cube, u32)> = points
-        .par_iter()
-        .zip(&same)
-        .zip(0..points.len() as u32)
-        .filter(|((p, lowest), v)| lowest.0 == *v && finite(p))
-        .map(|((p, _), v)| (cube_of(p), v))
-        .collect();
-    keyed.par_sort_unstable();
-    let mut near = Near { points, epsilon, classes: UnionFind::new(points.len()) };
-    let cubes: Vec<&[(Cube, u32)]> = keyed.chunk_by(|one, other| one.0 == other.0).collect();
-    for cube in &cubes {
-        cube.iter().for_each(|&(_, v)| {
-            near.classes.union(cube[0].1, v);
-        });
+    let sides = side.recip();
+    let cube_of = |[x, y, z]: [f64; 3]| [floor(x * sides), floor(y * sides), floor(z * sides)];
+    let layout = Layout::of(cube_of(low), cube_of(high), points.len());
+    match layout.bits {
+        Some(..=64) => Cloud::new(points, epsilon, Packed::<u64>::new(layout), cube_of).classes(context),
+        Some(_) => Cloud::new(points, epsilon, Packed::<u128>::new(layout), cube_of).classes(context),
+        None => Cloud::new(points, epsilon, Spread, cube_of).classes(context),
     }
-    for dx in 0..=2 {
-        for dy in if dx == 0 { 0..=2 } else { -2..=2 } {
-            context.check_cancelled()?;
-            near.join_across(&cubes, dx, dy);
-        }
-    }
-    Ok(near.lowest(&same))
 }
 
 /// The bounding box's diagonal, finite points only; halved on the way so that it can't overflow early.
 pub(crate) fn diagonal(points: &[[f64; 3]]) -> f64 {
-    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for point in points.iter().filter(|p| p.iter().all(|x| x.is_finite())) {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(point[axis]);
-            high[axis] = high[axis].max(point[axis]);
-        }
-    }
-    let half = |axis: usize| (high[axis] / 2.0 - low[axis] / 2.0).max(0.0);
+    let Some((low, high)) = bounds(points) else { return 0.0 };
+    let half = |axis: usize| high[axis] / 2.0 - low[axis] / 2.0;
     let diagonal = 2.0 * half(0).hypot(half(1)).hypot(half(2));
     diagonal.min(f64::MAX)
 }
 
-struct Near<'a> {
-    points: &'a [[f64; 3]],
-    epsilon: f64,
-    classes: UnionFind<u32>,
+/// Points of a piece of work.
+const CHUNK: usize = 1 << 14;
+
+/// The lowest and highest coordinates of the finite points, if there are any.
+fn bounds(points: &[[f64; 3]]) -> Option<([f64; 3], [f64; 3])> {
+    let none = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    let of_chunk = |points: &[[f64; 3]]| {
+        let (mut low, mut high) = none;
+        for point in points.iter().filter(|p| is_finite(p)) {
+            for axis in 0..3 {
+                low[axis] = low[axis].min(point[axis]);
+                high[axis] = high[axis].max(point[axis]);
+            }
+        }
+        (low, high)
+    };
+    let joined = |a: ([f64; 3], [f64; 3]), b: ([f64; 3], [f64; 3])| {
+        (std::array::from_fn(|i| a.0[i].min(b.0[i])), std::array::from_fn(|i| a.1[i].max(b.1[i])))
+    };
+    let bounds = points.par_chunks(CHUNK).map(of_chunk).reduce(|| none, joined);
+    (bounds.0[0] <= bounds.1[0]).then_some(bounds)
 }
 
-impl Near<'_> {
-    /// Joins each cube with those that are `dx` and `dy` sides away and up to two along z, each pair once.
-    fn join_across(&mut self, cubes: &[&[(Cube, u32)]], dx: i64, dy: i64) {
-        let mut first = 0;
-        for cube in cubes {
-            let [x, y, z] = cube[0].0;
-            let lowest_z = if dx == 0 && dy == 0 { z + 1 } else { z - 2 };
-            let from = [x + dx, y + dy, lowest_z];
-            while first < cubes.len() && cubes[first][0].0 < from {
-                first += 1;
+/// The largest whole number that is not more; the library's function is a call on older processors.
+fn floor(x: f64) -> i64 {
+    let towards_zero = x as i64;
+    towards_zero - i64::from(x < towards_zero as f64)
+}
+
+fn is_finite(point: &[f64; 3]) -> bool {
+    point.iter().all(|x| x.is_finite())
+}
+
+/// The finite points, by cell and cube.
+struct Cloud<'a, P: Places> {
+    points: &'a [[f64; 3]],
+    near: Nearness,
+    places: P,
+    entries: Vec<P::Entry>,
+    positions: Vec<[f64; 3]>,
+    /// Where the entries of each cube begin, and one more.
+    cubes: Vec<u32>,
+    cells: Vec<P::Cell>,
+    /// Where the cubes of each cell begin, and one more.
+    cell_cubes: Vec<u32>,
+}
+
+impl<'a, P: Places> Cloud<'a, P> {
+    fn new(
+        points: &'a [[f64; 3]],
+        epsilon: f64,
+        places: P,
+        cube_of: impl Fn([f64; 3]) -> Cube + Sync,
+    ) -> Self {
+        let entry = |(&p, point): (&[f64; 3], u32)| places.entry(cube_of(p), point);
+        let numbered = || points.par_iter().zip(0..points.len() as u32);
+        let are_finite = points.par_chunks(CHUNK).all(|points| points.iter().all(is_finite));
+        let mut entries: Vec<P::Entry> = if are_finite {
+            numbered().map(entry).collect()
+        } else {
+            numbered().filter(|(p, _)| is_finite(p)).map(entry).collect()
+        };
+        entries.par_sort_unstable();
+        let positions = entries.par_iter().map(|&e| points[places.point(e) as usize]).collect();
+        let (mut cubes, mut cells, mut cell_cubes) = (Vec::new(), Vec::new(), Vec::new());
+        let mut last = None;
+        for (at, &entry) in (0..).zip(&entries) {
+            let (cell, cube) = (places.cell(entry), places.cube(entry));
+            if last.is_none_or(|(last_cell, _)| last_cell != cell) {
+                cell_cubes.push(cubes.len() as u32);
+                cells.push(cell);
             }
-            let to = [x + dx, y + dy, z + 2];
-            for other in cubes[first..].iter().take_while(|other| other[0].0 <= to) {
-                self.join_cubes(cube, other);
+            if last != Some((cell, cube)) {
+                cubes.push(at);
+            }
+            last = Some((cell, cube));
+        }
+        cell_cubes.push(cubes.len() as u32);
+        cubes.push(entries.len() as u32);
+        Cloud {
+            points,
+            near: Nearness::within(epsilon),
+            places,
+            entries,
+            positions,
+            cubes,
+            cells,
+            cell_cubes,
+        }
+    }
+
+    fn classes(&self, context: &Context<'_>) -> Result<Vec<VertexId>, PassError> {
+        let mut joined = UnionFind::new(self.cubes.len() - 1);
+        let mut rows = ROWS.map(|step| (step, 0));
+        for cell in 0..self.cells.len() {
+            if cell % CELLS_BETWEEN_LOOKS == 0 {
+                context.check_cancelled()?;
+            }
+            self.join_within(cell, &mut joined);
+            for ([dx, dy], next) in &mut rows {
+                let lowest_z = if [*dx, *dy] == [0, 0] { 1 } else { -1 };
+                let from = self.places.beside(self.cells[cell], [*dx, *dy, lowest_z]);
+                while self.cells.get(*next).is_some_and(|other| *other < from) {
+                    *next += 1;
+                }
+                let mut other = *next;
+                for dz in lowest_z..=1 {
+                    let wanted = self.places.beside(self.cells[cell], [*dx, *dy, dz]);
+                    if self.cells.get(other) == Some(&wanted) {
+                        self.join_across(cell, other, [*dx, *dy, dz], &mut joined);
+                        other += 1;
+                    }
+                }
+            }
+        }
+        Ok(self.lowest(&mut joined))
+    }
+
+    fn cubes_of(&self, cell: usize) -> std::ops::Range<u32> {
+        self.cell_cubes[cell]..self.cell_cubes[cell + 1]
+    }
+
+    fn join_within(&self, cell: usize, joined: &mut UnionFind<u32>) {
+        for one in self.cubes_of(cell) {
+            for other in one + 1..self.cell_cubes[cell + 1] {
+                self.join_cubes(one, other, [0; 3], joined);
             }
         }
     }
 
-    fn join_cubes(&mut self, one: &[(Cube, u32)], other: &[(Cube, u32)]) {
-        if self.classes.equiv(one[0].1, other[0].1) {
-            return;
-        }
-        let is_near = one.iter().any(|a| other.iter().any(|b| self.are_near(a.1, b.1)));
-        if is_near {
-            self.classes.union(one[0].1, other[0].1);
+    /// Joins the cubes of a cell with those of the cell a step away.
+    fn join_across(&self, cell: usize, beside: usize, step: [i8; 3], joined: &mut UnionFind<u32>) {
+        for one in self.cubes_of(cell) {
+            for other in self.cubes_of(beside) {
+                self.join_cubes(one, other, step, joined);
+            }
         }
     }
 
-    fn are_near(&self, one: u32, other: u32) -> bool {
-        let (a, b) = (self.points[one as usize], self.points[other as usize]);
-        let parts: [f64; 3] = std::array::from_fn(|axis| (a[axis] - b[axis]) / self.epsilon);
-        parts.iter().map(|part| part * part).sum::<f64>() <= 1.0
+    fn join_cubes(&self, one: u32, other: u32, step: [i8; 3], joined: &mut UnionFind<u32>) {
+        let [a, b] =
+            [one, other].map(|cube| self.places.cube(self.entries[self.cubes[cube as usize] as usize]));
+        let are_beside = (0..3).all(|axis| (b[axis] + 4 * step[axis] - a[axis]).abs() <= 2);
+        if are_beside
+            && !joined.equiv(one, other)
+            && self.near.any(self.points_of(one), self.points_of(other))
+        {
+            joined.union(one, other);
+        }
     }
 
-    /// The lowest point of the class of each point, given the lowest one in the same place.
-    fn lowest(&mut self, same: &[VertexId]) -> Vec<VertexId> {
-        let mut lowest = vec![VertexId(u32::MAX); same.len()];
-        for &v in same {
-            let root = self.classes.find_mut(v.0) as usize;
-            lowest[root] = lowest[root].min(v);
+    fn points_of(&self, cube: u32) -> impl ExactSizeIterator<Item = [f64; 3]> + Clone {
+        self.positions[self.cubes[cube as usize] as usize..self.cubes[cube as usize + 1] as usize]
+            .iter()
+            .copied()
+    }
+
+    fn entries_of(&self, cube: u32) -> &[P::Entry] {
+        &self.entries[self.cubes[cube as usize] as usize..self.cubes[cube as usize + 1] as usize]
+    }
+
+    /// The lowest point of the class of each point.
+    fn lowest(&self, joined: &mut UnionFind<u32>) -> Vec<VertexId> {
+        let count = self.cubes.len() as u32 - 1;
+        let mut lowest_of = vec![u32::MAX; count as usize];
+        for cube in 0..count {
+            let root = joined.find_mut(cube) as usize;
+            // The entries of a cube are sorted by point.
+            lowest_of[root] = lowest_of[root].min(self.places.point(self.entries_of(cube)[0]));
         }
-        same.iter().map(|v| lowest[self.classes.find(v.0) as usize]).collect()
+        let mut lowest: Vec<VertexId> = (0..self.points.len()).map(VertexId::new).collect();
+        for cube in 0..count {
+            let class = VertexId(lowest_of[joined.find(cube) as usize]);
+            for &entry in self.entries_of(cube) {
+                lowest[self.places.point(entry) as usize] = class;
+            }
+        }
+        lowest
     }
 }
 
@@ -156,16 +278,35 @@ mod tests {
         (0..points.len()).map(|v| (0..=v).find(|&u| sets.equiv(u as u32, v as u32)).unwrap() as u32).collect()
     }
 
-    #[test]
-    fn no_pair_is_missed_across_a_wall() {
+    /// Numbers from −1/2 to 1/2.
+    fn random() -> impl FnMut() -> f64 {
         let mut state = 1u64;
-        let mut next = || {
+        move || {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             (state >> 40) as f64 / (1u64 << 24) as f64 - 0.5
-        };
+        }
+    }
+
+    #[test]
+    fn no_pair_is_missed_across_a_wall() {
+        let mut next = random();
         for (count, epsilon) in [(300, 0.05), (300, 0.1), (100, 0.3), (500, 0.01)] {
             let points: Vec<[f64; 3]> = (0..count).map(|_| [next(), next(), next() * 0.1]).collect();
             assert_eq!(lowest(&points, epsilon), naive(&points, epsilon), "{count} within {epsilon}");
+        }
+    }
+
+    /// Clusters so far from each other that places need 64 bits, 128, or more.
+    #[test]
+    fn the_distance_may_be_small_beside_the_extent() {
+        let mut next = random();
+        for epsilon in [1e-3, 1e-7, 1e-12] {
+            let clusters: Vec<[f64; 3]> = (0..40).map(|_| [next(), next(), next()]).collect();
+            let points: Vec<[f64; 3]> =
+                (0..400).map(|i| clusters[i % 40].map(|x| x + 3.0 * epsilon * next())).collect();
+            let found = lowest(&points, epsilon);
+            assert_eq!(found, naive(&points, epsilon), "within {epsilon}");
+            assert!(found.iter().zip(0..).any(|(&low, point)| low != point), "some are joined");
         }
     }
 
@@ -185,6 +326,7 @@ mod tests {
     #[test]
     fn a_tolerance_below_the_resolution_is_refused() {
         assert!(classes(&[[1.0; 3]], 1e-20, &Context::default()).is_err());
+        assert!(classes(&[[0.0; 3]], f64::MIN_POSITIVE, &Context::default()).is_err());
     }
 
     #[test]

@@ -17,8 +17,8 @@
 //! witness; or the policy cuts it or gives up.
 
 use meshmend_core::{
-    Column, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeUse, FaceId, FaceTableBuilder, Id,
-    PolygonMesh, Sources,
+    Column, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeId, EdgeUse, FaceId, FaceTableBuilder, Id,
+    PolygonMesh, Sources, VertexId, is_inconsistent,
 };
 use meshmend_kernels::KernelTask;
 use meshmend_topology::{OneSidedStrip, orientability, patches as patches_of};
@@ -251,17 +251,18 @@ impl Task<'_> {
         cycles: &Cycles,
         found: Found,
     ) -> Result<Outcome, PassError> {
-        let mut mended: Vec<Defect> = self.dropped(cycles, &found);
-        let inconsistent = kernel.edges().filter(|&e| meshmend_core::is_inconsistent(kernel, e));
-        let was_mended = inconsistent.filter(|&e| {
-            let mut faces = kernel.edge_faces(e).map(|f| found.is_flipped[f]);
-            faces.next() != faces.next()
-        });
-        mended.extend(was_mended.map(|edge| Defect::InconsistentEdge { edge, ends: kernel.edge_ends(edge) }));
-        let is_changed =
-            found.is_alive.values().contains(&false) || found.is_flipped.values().contains(&true);
-        let mut outcome = if is_changed { self.rebuilt(&found)? } else { Outcome::unchanged(self.mesh) };
-        outcome.mended = mended.into();
+        let has_dropped = found.is_alive.values().contains(&false);
+        let mut outcome = if has_dropped {
+            self.rebuilt(&found)?
+        } else if found.is_flipped.values().contains(&true) {
+            self.turned(&found.is_flipped)?
+        } else {
+            Outcome::unchanged(self.mesh)
+        };
+        if !outcome.provenance.is_same() {
+            outcome.mended =
+                Mended::turned(turned_edges(kernel, &found.is_flipped), self.dropped(cycles, &found));
+        }
         outcome.left = self.opposite_left(cycles, &found);
         if !found.non_orientable.is_empty() {
             let lowest = self.new_ids(&found, &found.non_orientable);
@@ -310,6 +311,26 @@ impl Task<'_> {
         .collect()
     }
 
+    /// The mesh with faces turned and none dropped.
+    fn turned(&self, is_flipped: &Column<FaceId, bool>) -> Result<Outcome, PassError> {
+        let old = self.mesh.faces();
+        let turns = |&face: &FaceId| is_flipped[face] && old.corner_range(face).len() > 1;
+        let flipped: Vec<FaceId> = old.faces().filter(turns).collect();
+        let mut corners = old.corner_vertices().to_vec();
+        let mut sources: Vec<CornerId> = old.corners().collect();
+        for &face in &flipped {
+            // Turned round, a face begins with the same corner.
+            let range = old.corner_range(face);
+            corners[range.start + 1..range.end].reverse();
+            sources[range.start + 1..range.end].reverse();
+        }
+        let faces = old.over(old.vertex_count(), corners)?;
+        let faces_from = Sources::same(old.face_count());
+        let draft = Draft { flipped, ..Draft::of_faces(self.mesh, faces, faces_from, sources.into()) };
+        Ok(Outcome::changed(self.mesh.rebuild(draft)?, Mended::default()))
+    }
+
+    /// The mesh without dropped faces, and with others turned.
     fn rebuilt(&self, found: &Found) -> Result<Outcome, PassError> {
         let old = self.mesh.faces();
         let mut builder = FaceTableBuilder::default();
@@ -372,6 +393,20 @@ impl Task<'_> {
         left.sort();
         left
     }
+}
+
+/// The inconsistent edges of which one face is turned and the other is not.
+fn turned_edges<K: Connectivity>(
+    kernel: &K,
+    is_flipped: &Column<FaceId, bool>,
+) -> Vec<(EdgeId, [VertexId; 2])> {
+    let is_turned = |&edge: &EdgeId| {
+        is_inconsistent(kernel, edge) && {
+            let mut faces = kernel.edge_faces(edge).map(|face| is_flipped[face]);
+            faces.next() != faces.next()
+        }
+    };
+    kernel.edges().filter(is_turned).map(|edge| (edge, kernel.edge_ends(edge))).collect()
 }
 
 /// The non-orientable patches of a repair's matching, each with its witness.

@@ -17,8 +17,8 @@
 //! F. Lazarus, W. Horn, *Cutting and stitching*, 2001, for splitting by matching; the sheets follow the text.
 
 use meshmend_core::{
-    Blend, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeClass, FaceTableBuilder, Id, PolygonMesh,
-    Sources, VertexClass, VertexId, edge_class, is_inconsistent, is_manifold, vertex_classes,
+    Blend, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeClass, FaceTable, FaceTableBuilder, Id,
+    PolygonMesh, Sources, VertexClass, VertexId, edge_class, is_inconsistent, is_manifold, umbrellas,
 };
 use meshmend_kernels::KernelTask;
 use serde::{Deserialize, Serialize};
@@ -208,8 +208,8 @@ impl Task<'_> {
         }
         let mut parts = vec![0u32; self.mesh.counts().vertices];
         names.present.iter().for_each(|present| parts[present.index()] += 1);
-        for (vertex, class) in vertex_classes(kernel).iter().filter(|(v, _)| parts[v.index()] > 1) {
-            mended.push(match *class {
+        for vertex in kernel.vertices().filter(|v| parts[v.index()] > 1) {
+            mended.push(match umbrellas(kernel, vertex).class() {
                 VertexClass::Pinched { umbrellas, boundary_only } => {
                     Defect::PinchedVertex { vertex, umbrellas, boundary_only }
                 }
@@ -236,46 +236,64 @@ impl Task<'_> {
     fn draft(&self, names: NewVertices, inserted: Inserted) -> Result<Draft, PassError> {
         let old = self.mesh.faces();
         let vertices = self.new_vertices(&names);
-        let mut at_corner: Vec<Option<(VertexId, Blend)>> = vec![None; old.corner_count()];
-        for (side, place, blend) in &inserted.sides {
-            let new = VertexId::new(names.present.len() + *place as usize);
-            at_corner[self.mesh.complex().stored_corner(*side).index()] = Some((new, *blend));
-        }
-        let mut builder = FaceTableBuilder::default();
-        let (mut corner_sources, mut created_corners) = (Vec::with_capacity(old.corner_count()), Vec::new());
-        for face in old.faces() {
-            for corner in old.face_corners(face) {
-                builder.push_corner(vertices[corner.index()]);
-                corner_sources.push(Some(corner));
-                if let Some((vertex, blend)) = at_corner[corner.index()] {
-                    builder.push_corner(vertex);
-                    created_corners.push((CornerId::new(corner_sources.len()), blend));
-                    corner_sources.push(None);
-                }
-            }
-            builder.end_face();
-        }
         let created = inserted.vertices.len();
-        let faces = builder.build(names.present.len() + created)?;
+        let vertex_count = names.present.len() + created;
+        let (faces, corner_sources, created_corners) = if created == 0 {
+            (old.over(vertex_count, vertices)?, Sources::same(old.corner_count()), Vec::new())
+        } else {
+            self.with_inserted(&vertices, vertex_count, &inserted)?
+        };
         let sources = names.present.iter().map(|&v| Some(v)).chain(std::iter::repeat_n(None, created));
         Ok(Draft {
             vertex_sources: Sources::listed(sources),
             kept_positions: Some(names.positions),
             created_vertices: inserted.vertices,
             created_corners,
-            ..Draft::of_faces(
-                self.mesh,
-                faces,
-                Sources::same(old.face_count()),
-                Sources::listed(corner_sources),
-            )
+            ..Draft::of_faces(self.mesh, faces, Sources::same(old.face_count()), corner_sources)
         })
+    }
+
+    /// The faces with the vertices inserted into their sides, and where their corners come from.
+    #[allow(clippy::type_complexity)]
+    fn with_inserted(
+        &self,
+        vertices: &[VertexId],
+        vertex_count: usize,
+        inserted: &Inserted,
+    ) -> Result<(FaceTable, Sources<CornerId>, Vec<(CornerId, Blend)>), PassError> {
+        let (old, complex) = (self.mesh.faces(), self.mesh.complex());
+        let first = vertex_count - inserted.vertices.len();
+        let mut sides = inserted
+            .sides
+            .iter()
+            .map(|(side, place, blend)| {
+                (complex.stored_corner(*side), VertexId::new(first + *place as usize), *blend)
+            })
+            .peekable();
+        let mut builder = FaceTableBuilder::default();
+        let (mut sources, mut created) = (Vec::with_capacity(old.corner_count()), Vec::new());
+        for face in old.faces() {
+            for corner in old.face_corners(face) {
+                builder.push_corner(vertices[corner.index()]);
+                sources.push(Some(corner));
+                if let Some((_, vertex, blend)) = sides.next_if(|(side, _, _)| *side == corner) {
+                    builder.push_corner(vertex);
+                    created.push((CornerId::new(sources.len()), blend));
+                    sources.push(None);
+                }
+            }
+            builder.end_face();
+        }
+        Ok((builder.build(vertex_count)?, Sources::listed(sources), created))
     }
 
     /// The new vertex at each corner as stored: what the complex leaves out goes with the corner before it in its
     /// face if that is at the same vertex, else with the vertex's first part.
     fn new_vertices(&self, names: &NewVertices) -> Vec<VertexId> {
         let (old, complex) = (self.mesh.faces(), self.mesh.complex());
+        if complex.is_as_stored() {
+            return names.of_corner.values().to_vec();
+        }
         let mut new: Vec<Option<VertexId>> = vec![None; old.corner_count()];
         for (corner, &vertex) in names.of_corner.iter() {
             new[complex.stored_corner(corner).index()] = Some(vertex);

@@ -15,7 +15,7 @@
 //! non-manifold, so that there welding is stitching and can't make a mesh worse. *Cost*: linear where exact; see the
 //! grid for tolerance.
 
-use meshmend_core::{DefectKind, Draft, FaceTable, Id, PolygonMesh, Sources, VertexId};
+use meshmend_core::{DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -109,14 +109,11 @@ fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Result<Outcome, PassErr
     }
     let old = mesh.faces();
     let corners = old.corner_vertices().par_iter().map(|v| new_id[v.index()]).collect();
-    let faces = match old.starts() {
-        None => FaceTable::triangles(sources.len(), corners),
-        Some(starts) => FaceTable::polygons(sources.len(), starts.to_vec(), corners),
-    };
+    let faces = old.over(sources.len(), corners)?;
     let draft = Draft {
         vertex_sources: Sources::listed(sources),
         merged_into: Some(new_id),
-        ..Draft::of_faces(mesh, faces?, Sources::same(old.face_count()), Sources::same(old.corner_count()))
+        ..Draft::of_faces(mesh, faces, Sources::same(old.face_count()), Sources::same(old.corner_count()))
     };
     Ok(Outcome::changed(mesh.rebuild(draft)?, mended))
 }

@@ -30,9 +30,10 @@ impl Crossings {
     pub(crate) fn of<K: Connectivity>(kernel: &K) -> Self {
         let mut of_corner = Column::filled(NONE, kernel.corner_count());
         for edge in kernel.edges() {
-            let mut sides = kernel.edge_corners(edge);
-            if let (Some(one), Some(other), None) = (sides.next(), sides.next(), sides.next()) {
-                let is_mirrored = u32::from(kernel.corner_vertex(one) == kernel.corner_vertex(other));
+            let mut sides = kernel.edge_sides(edge);
+            if let (Some((one, way)), Some((other, back)), None) = (sides.next(), sides.next(), sides.next())
+            {
+                let is_mirrored = u32::from(way == back);
                 // There are fewer than 2³¹ corners, so the doubled number fits.
                 of_corner[one] = other.0 << 1 | is_mirrored;
                 of_corner[other] = one.0 << 1 | is_mirrored;

@@ -3,7 +3,7 @@
 //! Most meshes are like this. There all sides across edges are matched, so the patches are those of the topology; they
 //! come together at once, so the majority of each decides alone; and without duplicates none drops out.
 
-use meshmend_core::{Column, Connectivity, EdgeClass, FaceId, edge_class, is_inconsistent};
+use meshmend_core::{Column, Connectivity, FaceId};
 use meshmend_topology::{Patches, Side, patches};
 
 /// Which faces are to be flipped so that each patch runs as most of its faces do, and on a tie as its lowest face does.
@@ -11,10 +11,11 @@ use meshmend_topology::{Patches, Side, patches};
 pub(super) fn flips<K: Connectivity>(kernel: &K) -> Option<Column<FaceId, bool>> {
     let mut is_consistent = true;
     for edge in kernel.edges() {
-        match edge_class(kernel, edge) {
-            EdgeClass::Boundary => {}
-            EdgeClass::Interior => is_consistent = is_consistent && !is_inconsistent(kernel, edge),
-            EdgeClass::NonManifold => return None,
+        let mut sides = kernel.edge_sides(edge);
+        match (sides.next(), sides.next(), sides.next()) {
+            (Some((_, one)), Some((_, other)), None) => is_consistent &= one != other,
+            (_, _, None) => {}
+            _ => return None,
         }
     }
     let mut is_flipped = Column::filled(false, kernel.face_count());

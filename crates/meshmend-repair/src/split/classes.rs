@@ -84,12 +84,13 @@ impl NewVertices {
         }
         let in_place = holders.into_iter().enumerate().map(|(name, holder)| (VertexId::new(name), holder));
         let mut new = NewVertices {
-            of_corner: Column::filled(VertexId(0), kernel.corner_count()),
+            of_corner: Column::default(),
             present: Vec::new(),
             positions: Vec::new(),
             first_part: vec![VertexId(NONE); kernel.vertex_count()],
         };
-        let mut of_root = vec![VertexId(0); kernel.corner_count()];
+        // The names are given, so their places can be used again.
+        let mut of_root = lowest_name;
         for (name, holder) in in_place.chain(further) {
             match holder {
                 Holder::Nothing => {}
@@ -102,9 +103,7 @@ impl NewVertices {
                 }
             }
         }
-        for corner in kernel.corners() {
-            new.of_corner[corner] = of_root[classes.find_mut(corner.0) as usize];
-        }
+        new.of_corner = kernel.corners().map(|c| of_root[classes.find_mut(c.0) as usize]).collect();
         new
     }
 

@@ -58,8 +58,8 @@ impl PatchSides {
         let mut is_open = sides.is_twisted.clone();
         for edge in kernel.edges() {
             let mut balance: SmallVec<[(FaceId, i32); 4]> = kernel
-                .edge_corners(edge)
-                .map(|c| (sides.patch[kernel.corner_face(c)], if kernel.is_forward(c) { 1 } else { -1 }))
+                .edge_sides(edge)
+                .map(|(c, is_forward)| (sides.patch[kernel.corner_face(c)], if is_forward { 1 } else { -1 }))
                 .collect();
             balance.sort_unstable();
             for patch in balance.chunk_by(|one, other| one.0 == other.0) {

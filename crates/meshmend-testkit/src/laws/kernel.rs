@@ -144,7 +144,10 @@ fn edges<K: Connectivity>(kernel: &K, expected: &Expected) -> Result<(), String>
         let (ends, corners) = &expected.edges[edge.index()];
         same("the ends", edge, kernel.edge_ends(edge).map(Id::index), *ends)?;
         let corners: Vec<_> = corners.iter().copied().map(CornerId::new).collect();
-        same("the sides", edge, kernel.edge_corners(edge).collect::<Vec<_>>(), corners)?;
+        same("the sides", edge, kernel.edge_corners(edge).collect::<Vec<_>>(), corners.clone())?;
+        let low = kernel.edge_ends(edge)[0];
+        let ways: Vec<_> = corners.into_iter().map(|c| (c, kernel.corner_vertex(c) == low)).collect();
+        same("the directions of the sides", edge, kernel.edge_sides(edge).collect::<Vec<_>>(), ways)?;
     }
     for corner in kernel.corners() {
         let mut side = [kernel.corner_vertex(corner), kernel.corner_vertex(kernel.next_corner(corner))];

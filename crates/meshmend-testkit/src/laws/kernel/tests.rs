@@ -19,6 +19,7 @@ const STRICT: u8 = 4;
 const SAYS_ORDERED: u8 = 5;
 const ENDS_SWAPPED: u8 = 6;
 const NO_ACROSS: u8 = 7;
+const WRONG_WAY: u8 = 8;
 
 impl<const WHICH: u8> Connectivity for Broken<WHICH> {
     const NAME: &'static str = "broken";
@@ -71,6 +72,9 @@ impl<const WHICH: u8> Connectivity for Broken<WHICH> {
         }
         corners.into_iter()
     }
+    fn edge_sides(&self, edge: EdgeId) -> impl Iterator<Item = (CornerId, bool)> + Clone {
+        self.0.edge_sides(edge).map(|(corner, way)| (corner, way && WHICH != WRONG_WAY))
+    }
     fn vertex_corners(&self, vertex: VertexId) -> impl Iterator<Item = CornerId> + Clone {
         self.0.vertex_corners(vertex).skip(usize::from(WHICH == LOSES_A_CORNER && vertex.index() == 1))
     }
@@ -103,6 +107,7 @@ fn each_law_finds_the_kernel_that_breaks_it() {
     finds(kernel_laws::<Broken<WRONG_NEXT>>(&cube), "next corner");
     finds(kernel_laws::<Broken<WRONG_EDGE_ORDER>>(&cube), "the sides of e0");
     finds(kernel_laws::<Broken<LOSES_A_CORNER>>(&cube), "the corners of v1");
+    finds(kernel_laws::<Broken<WRONG_WAY>>(&cube), "the directions of the sides of e0");
     finds(kernel_laws::<Broken<ENDS_SWAPPED>>(&cube), "the ends of e0");
     finds(kernel_laws::<Broken<NO_ACROSS>>(&cube), "the side across");
     // Ascending corners of a large fan's hub are in order; those of an octahedron's are not.
