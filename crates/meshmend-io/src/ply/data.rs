@@ -42,10 +42,11 @@ pub(super) trait Data {
     fn length(&mut self, length: Scalar, item: Scalar) -> Result<usize, ReadError> {
         let at = self.at();
         let count = self.number(length)?;
-        if !(count >= 0.0 && count.fract() == 0.0) {
+        let whole = count as u64;
+        if whole as f64 != count {
             return Err(self.wrong(at, &format!("{count} is no length of a list")));
         }
-        let count = count as u64;
+        let count = whole;
         self.check_room(count, count.saturating_mul(item.size() as u64), "a list")?;
         Ok(count as usize)
     }

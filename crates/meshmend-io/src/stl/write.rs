@@ -32,8 +32,8 @@ fn write_binary(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErro
     let attribute = attribute_layer(mesh);
     for face in faces.faces() {
         let attribute = attribute.and_then(|(layer, values)| Some(values[layer.value_of(face.index())?]));
-        for triangle in fan(mesh, face) {
-            let points = triangle.map(|v| single(mesh, v));
+        for [a, b, c] in fan(mesh, face) {
+            let points = [single(mesh, a), single(mesh, b), single(mesh, c)];
             sink.bytes(&facet(normal(points), points, attribute.unwrap_or(0)));
         }
         sink.checkpoint()?;
@@ -43,7 +43,8 @@ fn write_binary(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErro
 
 fn facet(normal: [f32; 3], points: [[f32; 3]; 3], attribute: u16) -> [u8; 50] {
     let mut bytes = [0; 50];
-    let numbers = normal.iter().chain(points.iter().flatten());
+    let ([i, j, k], [[a, b, c], [d, e, f], [g, h, l]]) = (normal, points);
+    let numbers = [i, j, k, a, b, c, d, e, f, g, h, l];
     for (slot, number) in bytes.chunks_exact_mut(4).zip(numbers) {
         slot.copy_from_slice(&number.to_le_bytes());
     }
@@ -145,17 +146,21 @@ fn fan(mesh: &PolygonMesh, face: FaceId) -> impl Iterator<Item = [VertexId; 3]> 
 }
 
 fn single(mesh: &PolygonMesh, vertex: VertexId) -> [f32; 3] {
-    mesh.position(vertex).map(|x| x as f32)
+    let [x, y, z] = mesh.position(vertex);
+    [x as f32, y as f32, z as f32]
 }
 
 /// The unit normal of a triangle; zero where it has none. The products of differences of single-precision
 /// numbers neither overflow nor vanish in a double.
 fn normal(points: [[f32; 3]; 3]) -> [f32; 3] {
-    let [a, b, c] = points.map(|point| point.map(f64::from));
-    let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
-    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let scale = 1.0 / cross.iter().map(|x| x * x).sum::<f64>().sqrt();
-    if scale.is_finite() { cross.map(|x| (x * scale) as f32) } else { [0.0; 3] }
+    let way = |to: [f32; 3], from: [f32; 3]| {
+        let along = |axis: usize| f64::from(to[axis]) - f64::from(from[axis]);
+        [along(0), along(1), along(2)]
+    };
+    let (u, v) = (way(points[1], points[0]), way(points[2], points[0]));
+    let [x, y, z] = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let scale = 1.0 / (x * x + y * y + z * z).sqrt();
+    if scale.is_finite() { [(x * scale) as f32, (y * scale) as f32, (z * scale) as f32] } else { [0.0; 3] }
 }
 
 /// The layer whose numbers are written. Zeros alone are what a file without attributes has, and would be read as none.
@@ -241,9 +246,9 @@ fn geometry_losses(mesh: &PolygonMesh) -> Vec<Loss> {
 
 /// How many vertices have the same position, in single precision, as an earlier one.
 fn coincident<'a>(positions: impl Iterator<Item = &'a [f64; 3]>) -> usize {
-    let key = |p: &[f64; 3]| p.map(|x| (x as f32 + 0.0).to_bits());
+    let bits = |x: f64| u128::from((x as f32 + 0.0).to_bits());
     let finite = positions.filter(|p| p.iter().all(|x| x.is_finite()));
-    let mut keys: Vec<[u32; 3]> = finite.map(key).collect();
+    let mut keys: Vec<u128> = finite.map(|&[x, y, z]| bits(x) << 64 | bits(y) << 32 | bits(z)).collect();
     keys.sort_unstable();
     keys.windows(2).filter(|pair| pair[0] == pair[1]).count()
 }

@@ -310,6 +310,9 @@ fn a_length_that_is_none_is_refused_with_its_line() {
     let header = format!("element vertex 1\n{XYZ}element face 1\nproperty list int int vertex_indices\n");
     let wrong = refused(ascii(&header, "0 0 0\n-1 0\n"));
     assert_eq!(wrong, (Place::Line(10), "-1 is no length of a list".to_owned()));
+    let header = format!("element vertex 3\n{XYZ}element face 1\n{LIST}");
+    let wrong = refused(ascii(&header, "0 0 0\n0 0 0\n0 0 0\n256 0 1\n"));
+    assert_eq!(wrong, (Place::Line(13), "256 is no number of type `uchar`".to_owned()));
 }
 
 #[test]
