@@ -1,6 +1,8 @@
 //! The local classes: what an edge's and a vertex's star look like.
 
-use crate::{Column, Connectivity, CornerId, EdgeId, VertexId};
+use rayon::prelude::*;
+
+use crate::{Column, Connectivity, CornerId, EdgeId, Id, VertexId};
 
 /// What an edge is, by the number of sides that run along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -78,22 +80,29 @@ pub fn umbrellas<K: Connectivity>(kernel: &K, vertex: VertexId) -> Umbrellas {
     Star::default().umbrellas(kernel, vertex)
 }
 
+/// Vertices that a thread looks at together.
+const CHUNK: usize = 1 << 12;
+
 /// The class of every vertex.
 ///
 /// *Cost*: O(Σ d log d) over the vertices' degrees d.
 pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexClass> {
-    let mut star = Star::default();
-    kernel.vertices().map(|v| star.umbrellas(kernel, v).class()).collect()
+    let vertices = (0..kernel.vertex_count()).into_par_iter().with_min_len(CHUNK);
+    let class = |star: &mut Star, v| star.umbrellas(kernel, VertexId::new(v)).class();
+    vertices.map_init(Star::default, class).collect::<Vec<_>>().into()
 }
 
 /// Whether every edge has one side or two, and every vertex in a face one umbrella.
 ///
 /// *Cost*: that of [`vertex_classes`] up to the first vertex that is neither disc nor half-disc.
 pub fn is_manifold<K: Connectivity>(kernel: &K) -> bool {
-    let mut star = Star::default();
-    kernel.vertices().all(|vertex| {
-        let class = star.umbrellas(kernel, vertex).class();
-        class.is_manifold() || class == VertexClass::Unreferenced
+    let count = kernel.vertex_count();
+    (0..count.div_ceil(CHUNK)).into_par_iter().all(|chunk| {
+        let mut star = Star::default();
+        (chunk * CHUNK..count.min((chunk + 1) * CHUNK)).all(|vertex| {
+            let class = star.umbrellas(kernel, VertexId::new(vertex)).class();
+            class.is_manifold() || class == VertexClass::Unreferenced
+        })
     })
 }
 

@@ -70,7 +70,10 @@ fn admitting(admits: impl Fn(&Capabilities) -> bool) -> Vec<KernelKind> {
 #[test]
 fn every_shape() {
     let mut held: BTreeMap<KernelKind, usize> = BTreeMap::new();
-    let catalogue = shapes::catalogue();
+    let mut catalogue = shapes::catalogue();
+    if cfg!(miri) {
+        catalogue.retain(|shape| shape.soup.faces.len() <= 20);
+    }
     for shape in &catalogue {
         for kind in assert_lawful(&shape.soup) {
             *held.entry(kind).or_default() += 1;
