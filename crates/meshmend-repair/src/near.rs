@@ -39,7 +39,7 @@ const ROWS: [[i8; 2]; 5] = [[0, 0], [0, 1], [1, -1], [1, 0], [1, 1]];
 
 /// For each point the lowest one of its class: the connected components of "distance ≤ ε" among the finite points.
 ///
-/// *Cost*: sorting the points; some 30 bytes a point, or 45 and more where ε is small beside the extent.
+/// *Cost*: sorting the points; some 50 bytes a point, or 60 and more where ε is small beside the extent.
 ///
 /// # Errors
 /// When ε is so small beside the coordinates that doubles can't resolve it.

@@ -155,12 +155,15 @@ pub fn topology<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> TopologyRepo
 ///
 /// *Cost*: that of [`topology`], and for shortest witnesses that of [`one_sided_loops`].
 pub fn topology_with<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: Witness) -> TopologyReport {
-    let (components, patches) = (components(kernel), patches(kernel));
-    let vertex_classes = vertex_classes(kernel);
+    // Questions that need no other's answer are asked at the same time.
+    let ((components, vertex_classes), patches) =
+        rayon::join(|| (components(kernel), vertex_classes(kernel)), || patches(kernel));
     let facts = component_facts(kernel, &components, &patches, &vertex_classes, &boundary_loops(kernel));
     let (orientability, is_least) = witnesses(kernel, &patches, witness);
-    let defects = DefectList::find(kernel, mesh, &vertex_classes, orientability);
-    let betti = betti(kernel, &components, &patches);
+    let (defects, betti) = rayon::join(
+        || DefectList::find(kernel, mesh, &vertex_classes, orientability),
+        || betti(kernel, &components, &patches),
+    );
 
     let count = |kind: DefectKind| defects.count(kind) as u64;
     let vertices = components.referenced_vertices() as u64;
