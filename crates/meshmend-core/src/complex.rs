@@ -92,6 +92,11 @@ impl Complex {
         self.is_as_stored
     }
 
+    /// Whether the edges have been asked for before.
+    pub fn has_edges(&self) -> bool {
+        self.edges.get().is_some()
+    }
+
     /// The edges, numbered by (smaller vertex, larger vertex); built when first asked for.
     pub fn edges(&self) -> &EdgeTable {
         self.edges.get_or_init(|| Arc::new(EdgeTable::build(&self.faces)))

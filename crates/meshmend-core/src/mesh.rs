@@ -165,6 +165,14 @@ impl PolygonMesh {
         self.complex.get_or_init(|| Complex::of(&self.faces))
     }
 
+    /// The same mesh, which shares a complex that has its edges; but one that is still to be built is its own, so that
+    /// it goes with the copy and not with the mesh.
+    pub fn detached(&self) -> Self {
+        let is_built = self.complex.get().is_some_and(Complex::has_edges);
+        let complex = if is_built { Arc::clone(&self.complex) } else { Arc::default() };
+        PolygonMesh { complex, ..self.clone() }
+    }
+
     /// Edges that are elements of their own.
     pub fn loose_edges(&self) -> &[[VertexId; 2]] {
         &self.loose_edges
@@ -252,6 +260,16 @@ mod tests {
         assert_eq!(wrong, MeshError::LayerValues { name: "quality".into() });
         let uneven = Layer::indexed("pair", Domain::Face, 2, Carry::Copy, numbers(3), vec![0]);
         assert!(triangle().with_layers(vec![uneven]).is_err());
+    }
+
+    #[test]
+    fn a_detached_copy_keeps_for_itself_what_it_builds() {
+        let mesh = triangle();
+        let copy = mesh.detached();
+        assert!(!std::ptr::eq(mesh.complex(), copy.complex()));
+        mesh.complex().edges();
+        assert!(std::ptr::eq(mesh.complex(), mesh.detached().complex()));
+        assert_eq!(mesh.complex().edges(), copy.complex().edges());
     }
 
     #[test]

@@ -318,12 +318,9 @@ mod tests {
     /// Joints such as `0-1=2 1-2~1`: the faces, `~` where the joint mirrors, and the weight.
     fn joints(text: &str) -> Vec<Joint> {
         let joint = |word: &str| {
-            let [one, other, weight] =
-                word.split(['-', '=', '~']).map(|n| n.parse().unwrap()).collect::<Vec<_>>()[..]
-            else {
-                panic!("{word}")
-            };
-            Joint { faces: [FaceId(one), FaceId(other)], is_mirrored: word.contains('~'), weight }
+            let mut numbers = word.split(['-', '=', '~']).map(|n| n.parse().unwrap());
+            let faces = [(); 2].map(|()| FaceId(numbers.next().unwrap()));
+            Joint { faces, is_mirrored: word.contains('~'), weight: numbers.next().unwrap() }
         };
         text.split(' ').map(joint).collect()
     }

@@ -138,11 +138,8 @@ mod tests {
         for (point, whole) in
             [([0.0; 3], 1.0), ([0.7, 0.6, 0.7], 1.0), ([0.5, -0.6, -0.4], 1.0), ([1.1; 3], 0.0)]
         {
-            assert!(
-                (seen_from(point).abs() - whole * 4.0 * PI).abs() < 1e-9,
-                "{point:?}: {}",
-                seen_from(point)
-            );
+            let seen = seen_from(point).abs();
+            assert!((seen - whole * 4.0 * PI).abs() < 1e-9, "{point:?}: {seen}");
         }
     }
 
