@@ -87,8 +87,14 @@ const CHUNK: usize = 1 << 12;
 ///
 /// *Cost*: O(Σ d log d) over the vertices' degrees d.
 pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexClass> {
-    let vertices = (0..kernel.vertex_count()).into_par_iter().with_min_len(CHUNK);
     let class = |star: &mut Star, v| star.umbrellas(kernel, VertexId::new(v)).class();
+    let vertices = 0..kernel.vertex_count();
+    // A small mesh is no reason to start threads.
+    if vertices.len() <= CHUNK {
+        let mut star = Star::default();
+        return vertices.map(|v| class(&mut star, v)).collect();
+    }
+    let vertices = vertices.into_par_iter().with_min_len(CHUNK);
     vertices.map_init(Star::default, class).collect::<Vec<_>>().into()
 }
 
@@ -97,13 +103,18 @@ pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexCla
 /// *Cost*: that of [`vertex_classes`] up to the first vertex that is neither disc nor half-disc.
 pub fn is_manifold<K: Connectivity>(kernel: &K) -> bool {
     let count = kernel.vertex_count();
-    (0..count.div_ceil(CHUNK)).into_par_iter().all(|chunk| {
+    let are_manifold = |chunk: usize| {
         let mut star = Star::default();
         (chunk * CHUNK..count.min((chunk + 1) * CHUNK)).all(|vertex| {
             let class = star.umbrellas(kernel, VertexId::new(vertex)).class();
             class.is_manifold() || class == VertexClass::Unreferenced
         })
-    })
+    };
+    if count <= CHUNK {
+        are_manifold(0)
+    } else {
+        (0..count.div_ceil(CHUNK)).into_par_iter().all(are_manifold)
+    }
 }
 
 impl Umbrellas {
