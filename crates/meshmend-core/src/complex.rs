@@ -7,6 +7,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use crate::vertex_corners::VertexCorners;
 use crate::{CornerId, EdgeTable, FaceId, FaceTable, FaceTableBuilder, Id, Sources, VertexId};
 
 /// The normalised faces of a mesh, with the canonical numbering of their edges.
@@ -17,6 +18,7 @@ pub struct Complex {
     stored_corner: Sources<CornerId>,
     is_as_stored: bool,
     edges: OnceLock<Arc<EdgeTable>>,
+    vertex_corners: OnceLock<Arc<VertexCorners>>,
 }
 
 impl Complex {
@@ -32,6 +34,7 @@ impl Complex {
                 stored_corner,
                 is_as_stored: true,
                 edges: OnceLock::new(),
+                vertex_corners: OnceLock::new(),
             };
         }
         let mut builder = FaceTableBuilder::default();
@@ -57,6 +60,7 @@ impl Complex {
             stored_corner: Sources::listed(stored_corner),
             is_as_stored: false,
             edges: OnceLock::new(),
+            vertex_corners: OnceLock::new(),
         }
     }
 
@@ -105,6 +109,11 @@ impl Complex {
     /// The same edges, to be shared.
     pub fn shared_edges(&self) -> Arc<EdgeTable> {
         Arc::clone(self.edges.get_or_init(|| Arc::new(EdgeTable::build(&self.faces))))
+    }
+
+    /// The corners of each vertex, to be shared; grouped when first asked for.
+    pub(crate) fn shared_vertex_corners(&self) -> Arc<VertexCorners> {
+        Arc::clone(self.vertex_corners.get_or_init(|| Arc::new(VertexCorners::build(&self.faces))))
     }
 }
 

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! *Layout*: the canonical edge table (ends, corner → edge, edge → corners: 42 bytes a triangle), which the complex
-//! shares, and the corners of each vertex (14 bytes a triangle). Faces of other sizes add 4 bytes a corner for
+//! shares as well as the corners of each vertex (14 bytes a triangle). Faces of other sizes add 4 bytes a corner for
 //! corner → face.
 //!
 //! *Admits* anything: a use is a record of its own, so an edge with three sides is no special case.
@@ -22,6 +22,7 @@
 
 use std::sync::Arc;
 
+use crate::vertex_corners::VertexCorners;
 use crate::{
     Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, VertexId,
 };
@@ -33,8 +34,7 @@ pub struct EdgeUse {
     edges: Arc<EdgeTable>,
     /// Absent when every face is a triangle.
     corner_face: Option<Column<CornerId, FaceId>>,
-    vertex_starts: Vec<u32>,
-    vertex_corners: Vec<CornerId>,
+    vertex_corners: Arc<VertexCorners>,
 }
 
 impl Connectivity for EdgeUse {
@@ -49,8 +49,8 @@ impl Connectivity for EdgeUse {
             sizes.for_each(|(face, size)| owners.extend(std::iter::repeat_n(face, size)));
             owners.into()
         });
-        let (vertex_starts, vertex_corners) = group_corners_by_vertex(&faces);
-        EdgeUse { edges: complex.shared_edges(), faces, corner_face, vertex_starts, vertex_corners }
+        let (edges, vertex_corners) = (complex.shared_edges(), complex.shared_vertex_corners());
+        EdgeUse { edges, faces, corner_face, vertex_corners }
     }
 
     fn vertex_count(&self) -> usize {
@@ -122,33 +122,12 @@ impl Connectivity for EdgeUse {
     }
     #[inline]
     fn vertex_corners(&self, vertex: VertexId) -> impl Iterator<Item = CornerId> + Clone {
-        let v = vertex.index();
-        self.vertex_corners[self.vertex_starts[v] as usize..self.vertex_starts[v + 1] as usize]
-            .iter()
-            .copied()
+        self.vertex_corners.of(vertex).iter().copied()
     }
 
     fn heap_bytes(&self) -> usize {
         self.edges.heap_bytes()
             + self.corner_face.as_ref().map_or(0, Column::heap_bytes)
-            + self.vertex_starts.capacity() * size_of::<u32>()
-            + self.vertex_corners.capacity() * size_of::<CornerId>()
+            + self.vertex_corners.heap_bytes()
     }
-}
-
-/// The corners of each vertex, ascending, as starts and one flat list.
-fn group_corners_by_vertex(faces: &FaceTable) -> (Vec<u32>, Vec<CornerId>) {
-    let vertices = faces.corner_vertices();
-    let mut starts = vec![0u32; faces.vertex_count() + 1];
-    vertices.iter().for_each(|v| starts[v.index() + 1] += 1);
-    for v in 0..faces.vertex_count() {
-        starts[v + 1] += starts[v];
-    }
-    let mut next = starts.clone();
-    let mut grouped = vec![CornerId(0); vertices.len()];
-    for (corner, v) in vertices.iter().enumerate() {
-        grouped[next[v.index()] as usize] = CornerId::new(corner);
-        next[v.index()] += 1;
-    }
-    (starts, grouped)
 }

@@ -26,10 +26,12 @@ mod draft;
 mod edge_table;
 mod edge_use;
 mod face_table;
+mod grouping;
 mod ids;
 mod mesh;
 mod provenance;
 mod stars;
+mod vertex_corners;
 
 pub use attributes::{Carry, Domain, Layer, NO_VALUE, Values};
 pub use capabilities::{Capabilities, Refusal, admission};

@@ -1,0 +1,44 @@
+//! Which corners stand at each vertex: 14 bytes a triangle of a closed mesh.
+
+use std::ops::Range;
+
+use crate::grouping::{Groups, Records, Way};
+use crate::{CornerId, FaceTable, Id, VertexId};
+
+/// The corners of each vertex, ascending.
+#[derive(Debug)]
+pub(crate) struct VertexCorners(Groups<CornerId>);
+
+impl VertexCorners {
+    /// *Cost*: linear; two passes over the corners, four where they are scattered.
+    pub(crate) fn build(faces: &FaceTable) -> Self {
+        let way = Way::for_table(faces);
+        let shares = way.shares(faces.corner_count());
+        let corners: Vec<_> = shares.into_iter().map(|range| FaceCorners { faces, range }).collect();
+        VertexCorners(Groups::joined(way.collect(faces.vertex_count(), &corners)))
+    }
+
+    #[inline]
+    pub(crate) fn of(&self, vertex: VertexId) -> &[CornerId] {
+        let v = vertex.index();
+        &self.0.items[self.0.starts[v] as usize..self.0.starts[v + 1] as usize]
+    }
+
+    pub(crate) fn heap_bytes(&self) -> usize {
+        self.0.starts.capacity() * size_of::<u32>() + self.0.items.capacity() * size_of::<CornerId>()
+    }
+}
+
+/// Some corners, by their vertices.
+struct FaceCorners<'a> {
+    faces: &'a FaceTable,
+    range: Range<usize>,
+}
+
+impl Records<CornerId> for FaceCorners<'_> {
+    #[inline]
+    fn for_each(&self, mut visit: impl FnMut(u32, CornerId)) {
+        let vertices = &self.faces.corner_vertices()[self.range.clone()];
+        self.range.clone().zip(vertices).for_each(|(corner, vertex)| visit(vertex.0, CornerId::new(corner)));
+    }
+}
