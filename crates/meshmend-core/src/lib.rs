@@ -48,5 +48,6 @@ pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
 pub use mesh::{MeshError, Metadata, PolygonMesh};
 pub use provenance::{Counts, Provenance, Sources};
 pub use stars::{
-    EdgeClass, Umbrellas, VertexClass, edge_class, is_inconsistent, is_manifold, umbrellas, vertex_classes,
+    EdgeClass, Umbrellas, VertexClass, edge_class, irregular_vertices, is_inconsistent, is_manifold,
+    umbrellas, vertex_classes,
 };

@@ -98,23 +98,34 @@ pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexCla
     vertices.map_init(Star::default, class).collect::<Vec<_>>().into()
 }
 
+/// The vertices in some face that are neither disc nor half-disc, ascending, with what they are.
+///
+/// *Cost*: that of [`vertex_classes`].
+pub fn irregular_vertices<K: Connectivity>(kernel: &K) -> Vec<(VertexId, VertexClass)> {
+    let chunks = 0..kernel.vertex_count().div_ceil(CHUNK);
+    if chunks.len() <= 1 {
+        return chunks.flat_map(|chunk| irregular_in_chunk(kernel, chunk)).collect();
+    }
+    chunks.into_par_iter().flat_map_iter(|chunk| irregular_in_chunk(kernel, chunk)).collect()
+}
+
 /// Whether every edge has one side or two, and every vertex in a face one umbrella.
 ///
 /// *Cost*: that of [`vertex_classes`] up to the first vertex that is neither disc nor half-disc.
 pub fn is_manifold<K: Connectivity>(kernel: &K) -> bool {
-    let count = kernel.vertex_count();
-    let are_manifold = |chunk: usize| {
-        let mut star = Star::default();
-        (chunk * CHUNK..count.min((chunk + 1) * CHUNK)).all(|vertex| {
-            let class = star.umbrellas(kernel, VertexId::new(vertex)).class();
-            class.is_manifold() || class == VertexClass::Unreferenced
-        })
-    };
-    if count <= CHUNK {
-        are_manifold(0)
-    } else {
-        (0..count.div_ceil(CHUNK)).into_par_iter().all(are_manifold)
-    }
+    let mut chunks = 0..kernel.vertex_count().div_ceil(CHUNK);
+    let is_manifold = |chunk| irregular_in_chunk(kernel, chunk).next().is_none();
+    if chunks.len() <= 1 { chunks.all(is_manifold) } else { chunks.into_par_iter().all(is_manifold) }
+}
+
+fn irregular_in_chunk<K: Connectivity>(
+    kernel: &K,
+    chunk: usize,
+) -> impl Iterator<Item = (VertexId, VertexClass)> {
+    let mut star = Star::default();
+    let vertices = chunk * CHUNK..kernel.vertex_count().min((chunk + 1) * CHUNK);
+    let classes = vertices.map(VertexId::new).map(move |v| (v, star.umbrellas(kernel, v).class()));
+    classes.filter(|(_, class)| !class.is_manifold() && *class != VertexClass::Unreferenced)
 }
 
 impl Umbrellas {
@@ -138,23 +149,75 @@ impl Umbrellas {
     }
 }
 
-/// The edges at a vertex, each with the place of a corner that has it there; reused from vertex to vertex.
+/// Stars of more corners are counted, not walked round.
+const FEW: usize = 16;
+/// No place in a star.
+const NONE: u8 = u8::MAX;
+
+/// The corners at a vertex with their edges there; reused from vertex to vertex.
 #[derive(Default)]
 struct Star {
+    /// The edges before and after each corner.
+    edges: Vec<EdgeId>,
     edge_of_corner: Vec<(EdgeId, u32)>,
     parent: Vec<u32>,
 }
 
 impl Star {
     fn umbrellas<K: Connectivity>(&mut self, kernel: &K, vertex: VertexId) -> Umbrellas {
-        self.edge_of_corner.clear();
-        self.parent.clear();
-        for (place, corner) in kernel.vertex_corners(vertex).enumerate() {
+        self.edges.clear();
+        for corner in kernel.vertex_corners(vertex) {
             let before: CornerId = kernel.prev_corner(corner);
-            self.parent.push(place as u32);
-            self.edge_of_corner.push((kernel.corner_edge(corner), place as u32));
-            self.edge_of_corner.push((kernel.corner_edge(before), place as u32));
+            self.edges.extend([kernel.corner_edge(before), kernel.corner_edge(corner)]);
         }
+        self.single_umbrella().unwrap_or_else(|| self.any_umbrellas())
+    }
+
+    /// What a disc or half-disc of a few corners is, found by walking from corner to corner across the edges; nothing
+    /// where the vertex is anything else.
+    fn single_umbrella(&self) -> Option<Umbrellas> {
+        let partners = self.partners()?;
+        let corners = self.edges.len() / 2;
+        // From the first corner across the edge after it.
+        let (found, is_closed) = walk(&partners, 1, corners);
+        if is_closed {
+            let disc = Umbrellas { count: 1, boundary_edges: 0, singular: false };
+            return (found == corners).then_some(disc);
+        }
+        let half_disc = Umbrellas { count: 1, boundary_edges: 2, singular: false };
+        (found + walk(&partners, 0, corners).0 + 1 == corners).then_some(half_disc)
+    }
+
+    /// For each place of an edge beside a corner the other place where the same edge is, if there are one or two. Nothing
+    /// where an edge has more, or there are more corners than a few.
+    fn partners(&self) -> Option<[u8; 2 * FEW]> {
+        const SLOTS: usize = 4 * FEW;
+        if !(2..=2 * FEW).contains(&self.edges.len()) {
+            return None;
+        }
+        let (mut partners, mut table) = ([NONE; 2 * FEW], [NONE; SLOTS]);
+        for (at, edge) in self.edges.iter().enumerate() {
+            let mut slot = edge.index() % SLOTS;
+            while table[slot] != NONE && self.edges[usize::from(table[slot])] != *edge {
+                slot = (slot + 1) % SLOTS;
+            }
+            let first = usize::from(std::mem::replace(&mut table[slot], at as u8));
+            if first == usize::from(NONE) {
+                continue;
+            }
+            if partners[first] != NONE {
+                return None;
+            }
+            (partners[first], partners[at]) = (at as u8, first as u8);
+        }
+        Some(partners)
+    }
+
+    fn any_umbrellas(&mut self) -> Umbrellas {
+        self.parent.clear();
+        self.parent.extend(0..self.edges.len() as u32 / 2);
+        self.edge_of_corner.clear();
+        self.edge_of_corner.extend(self.edges.iter().zip(0..).map(|(&edge, at)| (edge, at / 2)));
         self.edge_of_corner.sort_unstable();
         let mut found = Umbrellas { count: self.parent.len() as u32, ..Umbrellas::default() };
         for run in self.edge_of_corner.chunk_by(|one, other| one.0 == other.0) {
@@ -169,6 +232,20 @@ impl Star {
         }
         found
     }
+}
+
+/// Walks from the first corner across its edge before it (0) or after it (1): how many corners are come to, and whether
+/// the first one is the last of them.
+fn walk(partners: &[u8; 2 * FEW], start: u8, corners: usize) -> (usize, bool) {
+    let mut from = start;
+    for found in 0..corners {
+        match partners[usize::from(from)] {
+            NONE => return (found, false),
+            to if to == start ^ 1 => return (found + 1, true),
+            to => from = to ^ 1,
+        }
+    }
+    (corners, false)
 }
 
 /// Joins two classes; says whether they were apart.
@@ -212,6 +289,33 @@ mod tests {
         let fan_and_cone = VertexClass::Pinched { umbrellas: 2, boundary_only: false };
         assert_eq!(class(&[[0, 1, 2], [0, 3, 4], [0, 4, 5], [0, 5, 3]]), fan_and_cone);
         assert_eq!(class(&[[0, 1, 2], [0, 1, 3], [0, 1, 4]]), VertexClass::Singular);
+    }
+
+    #[test]
+    fn walking_round_a_vertex_finds_what_counting_finds() {
+        let (mut star, mut walked, mut state) = (Star::default(), 0, 1u32);
+        for _ in 0..20_000 {
+            let mut next = || {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                state >> 16
+            };
+            // Corners along a path or a ring, now and then with an edge that is another.
+            let (corners, ring) = (next() % 19, next() % 2 == 0);
+            star.edges.clear();
+            for at in 0..corners {
+                let after = if ring && at + 1 == corners { 0 } else { at + 1 };
+                let both = [at, after].map(|edge| if next() % 40 == 0 { next() % 20 } else { edge });
+                star.edges.extend(if next() % 2 == 0 { both } else { [both[1], both[0]] }.map(EdgeId));
+            }
+            if let Some(found) = star.single_umbrella() {
+                walked += 1;
+                assert_eq!(found, star.any_umbrellas(), "{:?}", star.edges);
+            } else if (1..=16).contains(&corners) {
+                let found = star.any_umbrellas().class();
+                assert!(!found.is_manifold(), "{found:?} {:?}", star.edges);
+            }
+        }
+        assert!(walked > 5000);
     }
 
     #[test]

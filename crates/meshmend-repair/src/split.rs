@@ -17,8 +17,8 @@
 //! F. Lazarus, W. Horn, *Cutting and stitching*, 2001, for splitting by matching; the sheets follow the text.
 
 use meshmend_core::{
-    Blend, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeClass, FaceTable, FaceTableBuilder, Id,
-    PolygonMesh, Sources, VertexClass, VertexId, edge_class, is_inconsistent, is_manifold, umbrellas,
+    Connectivity, CornerId, Defect, DefectKind, EdgeClass, PolygonMesh, VertexClass, edge_class,
+    irregular_vertices, is_inconsistent,
 };
 use meshmend_kernels::KernelTask;
 use serde::{Deserialize, Serialize};
@@ -26,14 +26,17 @@ use serde::{Deserialize, Serialize};
 use crate::matching::{Matching, StoredGroups};
 use crate::{Context, Outcome, Pass, PassError, StoredNames};
 
-mod classes;
+mod draft;
+mod names;
+mod parts;
 mod radial;
 mod seams;
 mod sheets;
 mod subdivide;
 mod whole;
 
-use classes::NewVertices;
+use names::NewVertices;
+use parts::VertexParts;
 pub use seams::SeamFigures;
 use subdivide::Inserted;
 
@@ -117,7 +120,8 @@ impl KernelTask for Task<'_> {
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
         let stored = StoredNames::new(self.mesh, self.context);
-        if self.is_whole(kernel, &stored) {
+        let irregular = irregular_vertices(kernel);
+        if irregular.is_empty() && self.is_whole(kernel, &stored) {
             return Ok(Outcome::unchanged(self.mesh));
         }
         let mut matching = Matching::by_rules(kernel, &stored);
@@ -135,15 +139,16 @@ impl KernelTask for Task<'_> {
             SplitEdges::PinchOnly => joined_as_stored(kernel, &stored),
         };
         self.context.check_cancelled()?;
-        let classes = classes::corner_classes(kernel, &matching, &joined);
-        let figures = seams::seam_figures(kernel, self.mesh, &matching, &classes, &seam);
-        let names = NewVertices::name(kernel, &stored, classes);
+        let parts = VertexParts::of(kernel, &matching, &joined, seams::with_ends(kernel, irregular, &seam));
+        let names = NewVertices::name(kernel, &stored, &parts);
+        let figures = seams::seam_figures(kernel, self.mesh, &matching, &names, &seam);
         let inserted = match self.options.edges {
             SplitEdges::PinchOnly => Inserted { vertices: Vec::new(), sides: Vec::new(), edges: Vec::new() },
             _ => subdivide::subdivide(kernel, self.mesh, &matching, &names),
         };
         let seam = seams::seam_edges(kernel, &seam).collect();
-        let outcome = self.outcome(kernel, names, inserted, seam)?;
+        drop(matching);
+        let outcome = self.outcome(kernel, &parts, names, inserted, seam)?;
         Ok(Outcome { seam: figures, ..outcome })
     }
 }
@@ -163,16 +168,17 @@ fn joined_as_stored<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Vec
 }
 
 impl Task<'_> {
-    /// Whether there is nothing to split, as far as can be seen without a matching.
+    /// Whether nothing is to be split in a mesh whose vertices are regular, as far as can be seen without a matching.
     fn is_whole<K: Connectivity>(&self, kernel: &K, names: &StoredNames<'_>) -> bool {
         let clashes = || kernel.edges().any(|edge| is_inconsistent(kernel, edge));
         let has_no_seam = self.options.seams == Seams::Keep || !clashes();
-        has_no_seam && is_manifold(kernel) && whole::keeps_names(kernel, self.mesh, names)
+        has_no_seam && whole::keeps_names(kernel, self.mesh, names)
     }
 
     fn outcome<K: Connectivity>(
         &self,
         kernel: &K,
+        parts: &VertexParts,
         names: NewVertices,
         inserted: Inserted,
         seam: Vec<Defect>,
@@ -181,11 +187,12 @@ impl Task<'_> {
             let left = self.left(self.mesh);
             return Ok(Outcome { left, ..Outcome::unchanged(self.mesh) });
         }
-        let mut mended = self.mended(kernel, &names);
+        let mut mended = self.mended(kernel, parts);
         let coincident =
             inserted.edges.iter().map(|&e| Defect::CoincidentEdges { ends: kernel.edge_ends(e) });
         mended.extend(coincident.chain(seam));
-        let outcome = Outcome::changed(self.mesh.rebuild(self.draft(names, inserted)?)?, mended.into());
+        let outcome =
+            Outcome::changed(self.mesh.rebuild(draft::draft(self.mesh, names, inserted)?)?, mended.into());
         Ok(Outcome { left: self.left(&outcome.mesh), ..outcome })
     }
 
@@ -197,7 +204,7 @@ impl Task<'_> {
     }
 
     /// Edges of degree three and more, and vertices that are no longer one.
-    fn mended<K: Connectivity>(&self, kernel: &K, names: &NewVertices) -> Vec<Defect> {
+    fn mended<K: Connectivity>(&self, kernel: &K, parts: &VertexParts) -> Vec<Defect> {
         let mut mended = Vec::new();
         if self.options.edges != SplitEdges::PinchOnly {
             let edges = kernel.edges().filter(|&e| edge_class(kernel, e) == EdgeClass::NonManifold);
@@ -206,10 +213,10 @@ impl Task<'_> {
                 Defect::NonManifoldEdge { edge, ends: kernel.edge_ends(edge), degree }
             }));
         }
-        let mut parts = vec![0u32; self.mesh.counts().vertices];
-        names.present.iter().for_each(|present| parts[present.index()] += 1);
-        for vertex in kernel.vertices().filter(|v| parts[v.index()] > 1) {
-            mended.push(match umbrellas(kernel, vertex).class() {
+        let by_vertex = parts.parts.chunk_by(|one, next| one.vertex == next.vertex);
+        for (&(vertex, class), _) in parts.vertices.iter().zip(by_vertex).filter(|(_, parts)| parts.len() > 1)
+        {
+            mended.push(match class {
                 VertexClass::Pinched { umbrellas, boundary_only } => {
                     Defect::PinchedVertex { vertex, umbrellas, boundary_only }
                 }
@@ -231,82 +238,5 @@ impl Task<'_> {
             Defect::NonManifoldEdge { edge, ends: edges.ends(edge), degree }
         };
         crowded.map(defect).collect()
-    }
-
-    fn draft(&self, names: NewVertices, inserted: Inserted) -> Result<Draft, PassError> {
-        let old = self.mesh.faces();
-        let vertices = self.new_vertices(&names);
-        let created = inserted.vertices.len();
-        let vertex_count = names.present.len() + created;
-        let (faces, corner_sources, created_corners) = if created == 0 {
-            (old.over(vertex_count, vertices)?, Sources::same(old.corner_count()), Vec::new())
-        } else {
-            self.with_inserted(&vertices, vertex_count, &inserted)?
-        };
-        let sources = names.present.iter().map(|&v| Some(v)).chain(std::iter::repeat_n(None, created));
-        Ok(Draft {
-            vertex_sources: Sources::listed(sources),
-            kept_positions: Some(names.positions),
-            created_vertices: inserted.vertices,
-            created_corners,
-            ..Draft::of_faces(self.mesh, faces, Sources::same(old.face_count()), corner_sources)
-        })
-    }
-
-    /// The faces with the vertices inserted into their sides, and where their corners come from.
-    #[allow(clippy::type_complexity)]
-    fn with_inserted(
-        &self,
-        vertices: &[VertexId],
-        vertex_count: usize,
-        inserted: &Inserted,
-    ) -> Result<(FaceTable, Sources<CornerId>, Vec<(CornerId, Blend)>), PassError> {
-        let (old, complex) = (self.mesh.faces(), self.mesh.complex());
-        let first = vertex_count - inserted.vertices.len();
-        let mut sides = inserted
-            .sides
-            .iter()
-            .map(|(side, place, blend)| {
-                (complex.stored_corner(*side), VertexId::new(first + *place as usize), *blend)
-            })
-            .peekable();
-        let mut builder = FaceTableBuilder::default();
-        let (mut sources, mut created) = (Vec::with_capacity(old.corner_count()), Vec::new());
-        for face in old.faces() {
-            for corner in old.face_corners(face) {
-                builder.push_corner(vertices[corner.index()]);
-                sources.push(Some(corner));
-                if let Some((_, vertex, blend)) = sides.next_if(|(side, _, _)| *side == corner) {
-                    builder.push_corner(vertex);
-                    created.push((CornerId::new(sources.len()), blend));
-                    sources.push(None);
-                }
-            }
-            builder.end_face();
-        }
-        Ok((builder.build(vertex_count)?, Sources::listed(sources), created))
-    }
-
-    /// The new vertex at each corner as stored: what the complex leaves out goes with the corner before it in its
-    /// face if that is at the same vertex, else with the vertex's first part.
-    fn new_vertices(&self, names: &NewVertices) -> Vec<VertexId> {
-        let (old, complex) = (self.mesh.faces(), self.mesh.complex());
-        if complex.is_as_stored() {
-            return names.of_corner.values().to_vec();
-        }
-        let mut new: Vec<Option<VertexId>> = vec![None; old.corner_count()];
-        for (corner, &vertex) in names.of_corner.iter() {
-            new[complex.stored_corner(corner).index()] = Some(vertex);
-        }
-        let mut last: Option<(VertexId, VertexId)> = None;
-        let mut found = Vec::with_capacity(new.len());
-        for corner in old.corners() {
-            let present = old.corner_vertex(corner);
-            let beside = last.filter(|(v, _)| *v == present).map(|(_, part)| part);
-            let vertex = new[corner.index()].or(beside).unwrap_or(names.first_part[present.index()]);
-            last = Some((present, vertex));
-            found.push(vertex);
-        }
-        found
     }
 }

@@ -1,10 +1,11 @@
 //! Opens the seams of patches that have no consistent side, and says what that added.
 
-use meshmend_core::{Connectivity, CornerId, Defect, PolygonMesh};
+use meshmend_core::{Connectivity, CornerId, Defect, PolygonMesh, VertexClass, VertexId, umbrellas};
 use petgraph::unionfind::UnionFind;
 use serde::Serialize;
 
-use super::classes::corners_that_meet;
+use super::names::NewVertices;
+use super::parts::corners_that_meet;
 use super::sheets::PatchSides;
 use crate::matching::{Matching, run_the_same_way};
 
@@ -43,14 +44,27 @@ pub(super) fn seam_edges<K: Connectivity>(kernel: &K, seam: &[Parted]) -> impl I
     edges.map(|edge| Defect::SeamEdge { edge, ends: kernel.edge_ends(edge) })
 }
 
-/// What a seam took, when the corners are joined as `classes` says; nothing where there is none.
+/// Vertices and the ends of a seam, ascending, with what they are.
+pub(super) fn with_ends<K: Connectivity>(
+    kernel: &K,
+    mut vertices: Vec<(VertexId, VertexClass)>,
+    seam: &[Parted],
+) -> Vec<(VertexId, VertexClass)> {
+    let ends = seam.iter().flat_map(|&(one, _)| kernel.edge_ends(kernel.corner_edge(one)));
+    vertices.extend(ends.map(|vertex| (vertex, umbrellas(kernel, vertex).class())));
+    vertices.sort_unstable();
+    vertices.dedup();
+    vertices
+}
+
+/// What a seam took, when the corners are at these new vertices; nothing where there is none.
 ///
-/// *Cost*: linear in the corners where there is one.
+/// *Cost*: linear in the vertices where there is one.
 pub(super) fn seam_figures<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,
     matching: &Matching,
-    classes: &UnionFind<u32>,
+    names: &NewVertices,
     seam: &[Parted],
 ) -> Option<SeamFigures> {
     if seam.is_empty() {
@@ -60,9 +74,11 @@ pub(super) fn seam_figures<K: Connectivity>(
     // Sewn up again, the seam would have these edges less, and one vertex less for each two classes that meet.
     let open: Vec<&Parted> =
         seam.iter().filter(|&&(one, other)| matching.is_free(one) && matching.is_free(other)).collect();
-    let mut sewn = classes.clone();
+    let mut sewn = UnionFind::<u32>::new(names.present.len());
     let corners = open.iter().flat_map(|&&(one, other)| corners_that_meet(kernel, one, other));
-    let vertices_added = corners.filter(|&(one, other)| sewn.union(one.0, other.0)).count() as u64;
+    let vertices_added = corners
+        .filter(|&(one, other)| sewn.union(names.of_corner[one].0, names.of_corner[other].0))
+        .count() as u64;
     Some(SeamFigures {
         edges: seam.len() as u64,
         length: length.is_finite().then_some(length),

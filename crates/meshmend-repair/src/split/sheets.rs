@@ -45,11 +45,11 @@ pub(super) fn match_sheets<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, matc
     pairs.into_iter().flatten().for_each(|(one, other)| matching.pair(one, other));
 }
 
-/// The patch of each face, and which patches are to be read inside out.
+/// The patch of each face, by number, and which patches are to be read inside out.
 pub(super) struct PatchSides {
-    patch: Column<FaceId, FaceId>,
-    is_inside_out: Column<FaceId, bool>,
-    is_twisted: Column<FaceId, bool>,
+    patch: Column<FaceId, u32>,
+    is_inside_out: Vec<bool>,
+    is_twisted: Vec<bool>,
 }
 
 impl PatchSides {
@@ -57,31 +57,46 @@ impl PatchSides {
         let mut sides = Self::patches(kernel, matching);
         let mut is_open = sides.is_twisted.clone();
         for edge in kernel.edges() {
-            let mut balance: SmallVec<[(FaceId, i32); 4]> = kernel
-                .edge_sides(edge)
-                .map(|(c, is_forward)| (sides.patch[kernel.corner_face(c)], if is_forward { 1 } else { -1 }))
-                .collect();
-            balance.sort_unstable();
-            for patch in balance.chunk_by(|one, other| one.0 == other.0) {
-                if patch.iter().map(|(_, way)| way).sum::<i32>() != 0 {
-                    is_open[patch[0].0] = true;
-                }
-            }
+            sides.each_unbalanced_patch(kernel, edge, |patch| is_open[patch as usize] = true);
         }
-        let mut volumes: Column<FaceId, Option<SignedVolume>> =
-            kernel.faces().map(|f| (sides.patch[f] == f && !is_open[f]).then(SignedVolume::new)).collect();
+        let mut volumes: Vec<Option<SignedVolume>> =
+            is_open.into_iter().map(|is_open| (!is_open).then(SignedVolume::new)).collect();
         for face in kernel.faces() {
-            if let Some(volume) = &mut volumes[sides.patch[face]] {
+            if let Some(volume) = &mut volumes[sides.patch[face] as usize] {
                 volume.add_face(mesh, kernel.face_corners(face), false);
             }
         }
-        sides.is_inside_out =
-            volumes.values().iter().map(|volume| volume.as_ref().is_some_and(|v| v.sign() < 0)).collect();
+        let is_negative = |volume: &SignedVolume| volume.sign() < 0;
+        sides.is_inside_out = volumes.iter().map(|volume| volume.as_ref().is_some_and(is_negative)).collect();
         sides
+    }
+
+    /// Tells which patches use an edge more often one way than the other.
+    #[inline]
+    fn each_unbalanced_patch<K: Connectivity>(&self, kernel: &K, edge: EdgeId, mut tell: impl FnMut(u32)) {
+        let way = |is_forward| if is_forward { 1 } else { -1 };
+        let uses = kernel
+            .edge_sides(edge)
+            .map(|(corner, is_forward)| (self.patch[kernel.corner_face(corner)], way(is_forward)));
+        let mut first = uses.clone();
+        if let (Some((one, there)), Some((other, back)), None) = (first.next(), first.next(), first.next())
+            && one == other
+            && there == -back
+        {
+            return;
+        }
+        let mut balance: SmallVec<[(u32, i32); 4]> = uses.collect();
+        balance.sort_unstable();
+        for patch in balance.chunk_by(|one, other| one.0 == other.0) {
+            if patch.iter().map(|(_, way)| way).sum::<i32>() != 0 {
+                tell(patch[0].0);
+            }
+        }
     }
 
     /// The patches alone, with those that have no consistent side.
     pub(super) fn patches<K: Connectivity>(kernel: &K, matching: &Matching) -> Self {
+        const NONE: u32 = u32::MAX;
         let mut sets = SidedSets::new(kernel.face_count());
         let mut contradicted = Vec::new();
         for (one, other) in matching.pairs() {
@@ -90,15 +105,27 @@ impl PatchSides {
                 contradicted.push(root);
             }
         }
-        let patch: Column<FaceId, FaceId> = kernel.faces().map(|f| sets.find(f).0).collect();
-        let mut is_twisted = Column::filled(false, kernel.face_count());
-        contradicted.into_iter().for_each(|face| is_twisted[patch[face]] = true);
-        PatchSides { is_inside_out: Column::filled(false, kernel.face_count()), patch, is_twisted }
+        let mut number_of_root: Column<FaceId, u32> = Column::filled(NONE, kernel.face_count());
+        let mut count = 0;
+        let patch: Column<FaceId, u32> = kernel
+            .faces()
+            .map(|face| {
+                let number = &mut number_of_root[sets.find(face).0];
+                if *number == NONE {
+                    *number = count;
+                    count += 1;
+                }
+                *number
+            })
+            .collect();
+        let mut is_twisted = vec![false; count as usize];
+        contradicted.into_iter().for_each(|face| is_twisted[patch[face] as usize] = true);
+        PatchSides { is_inside_out: vec![false; count as usize], patch, is_twisted }
     }
 
     /// Whether the patch of a face has no consistent side.
     pub(super) fn is_twisted(&self, face: FaceId) -> bool {
-        self.is_twisted[self.patch[face]]
+        self.is_twisted[self.patch[face] as usize]
     }
 }
 
@@ -125,7 +152,7 @@ impl<K: Connectivity> Round<'_, K> {
         self.pairs.iter().map(|&(a, b)| (self.order[a].corner, self.order[b].corner)).collect()
     }
 
-    fn patch(&self, place: usize) -> FaceId {
+    fn patch(&self, place: usize) -> u32 {
         self.patches.patch[self.kernel.corner_face(self.order[place].corner)]
     }
 
@@ -142,7 +169,7 @@ impl<K: Connectivity> Round<'_, K> {
     }
 
     fn is_outward_forward(&self, a: usize) -> bool {
-        self.order[a].is_forward != self.patches.is_inside_out[self.patch(a)]
+        self.order[a].is_forward != self.patches.is_inside_out[self.patch(a) as usize]
     }
 
     fn is_solid_between(&self, a: usize, b: usize) -> bool {

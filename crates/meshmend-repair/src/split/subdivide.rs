@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use meshmend_core::{Blend, Complex, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
 use smallvec::SmallVec;
 
-use super::classes::NewVertices;
+use super::names::NewVertices;
 use crate::matching::Matching;
 
 /// What is inserted into the sides of an edge.

@@ -1,0 +1,143 @@
+//! The new vertices: the parts of the present ones, in their order.
+
+use meshmend_core::{Column, Connectivity, CornerId, Id, VertexId};
+
+use super::parts::VertexParts;
+use crate::StoredNames;
+
+/// The new vertices in order, and which of them each corner is at.
+pub(super) struct NewVertices {
+    /// The new vertex at each corner of the complex.
+    pub(super) of_corner: Column<CornerId, VertexId>,
+    /// For each new vertex the present vertex that it is a part of.
+    pub(super) present: Vec<VertexId>,
+    /// For each new vertex its point: that of its lowest vertex as stored.
+    pub(super) positions: Vec<[f64; 3]>,
+    /// For each present vertex the first new vertex that is a part of it.
+    pub(super) first_part: Vec<VertexId>,
+}
+
+const NONE: VertexId = VertexId(u32::MAX);
+
+impl NewVertices {
+    /// Names each part after its lowest stored vertex: the first part (by lowest corner) of each stored vertex keeps
+    /// that vertex's place in the order; further parts follow at the end in corner order, then vertices in no face of
+    /// the complex whose place is taken.
+    ///
+    /// *Cost*: linear, and n log n in the parts that follow at the end.
+    pub(super) fn name<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, parts: &VertexParts) -> Self {
+        let pieces = Pieces::of(kernel, names, parts);
+        let count = kernel.vertex_count() + parts.parts.len() - parts.vertices.len();
+        let mut new = NewVertices {
+            of_corner: Column::default(),
+            present: Vec::with_capacity(count),
+            positions: Vec::with_capacity(count),
+            first_part: vec![NONE; kernel.vertex_count()],
+        };
+        let mut new_of_part = vec![NONE; parts.parts.len()];
+        for piece in pieces.in_order() {
+            let (id, vertex) = (VertexId::new(new.present.len()), pieces.vertex(piece));
+            new.present.push(vertex);
+            new.positions.push(names.position(pieces.name(piece)));
+            let first = &mut new.first_part[vertex.index()];
+            *first = id.min(*first);
+            if let Some(part) = pieces.part(piece) {
+                new_of_part[part] = id;
+            }
+        }
+        new.of_corner = kernel.corners().map(|c| new.first_part[kernel.corner_vertex(c).index()]).collect();
+        for &(corner, part) in &parts.corners {
+            new.of_corner[corner] = new_of_part[part as usize];
+        }
+        new
+    }
+}
+
+/// What becomes a new vertex, by number: first the present vertices, for those that stay whole, then the parts.
+struct Pieces<'a, K> {
+    kernel: &'a K,
+    names: &'a StoredNames<'a>,
+    parts: &'a VertexParts,
+    /// The lowest stored vertex behind each part.
+    part_names: Vec<VertexId>,
+    /// The lowest stored vertex behind each present one that is in a face, where it is not the vertex itself.
+    vertex_names: Option<Vec<VertexId>>,
+}
+
+impl<'a, K: Connectivity> Pieces<'a, K> {
+    fn of(kernel: &'a K, names: &'a StoredNames<'a>, parts: &'a VertexParts) -> Self {
+        let mut part_names = vec![NONE; parts.parts.len()];
+        for &(corner, part) in &parts.corners {
+            let name = &mut part_names[part as usize];
+            *name = names.of(corner).min(*name);
+        }
+        let vertex_names = (!names.are_present()).then(|| lowest_names(kernel, names));
+        Pieces { kernel, names, parts, part_names, vertex_names }
+    }
+
+    /// The number of the part, if it is one.
+    fn part(&self, piece: u32) -> Option<usize> {
+        (piece as usize).checked_sub(self.kernel.vertex_count())
+    }
+
+    fn vertex(&self, piece: u32) -> VertexId {
+        self.part(piece).map_or(VertexId(piece), |part| self.parts.parts[part].vertex)
+    }
+
+    fn name(&self, piece: u32) -> VertexId {
+        match (self.part(piece), &self.vertex_names) {
+            (Some(part), _) => self.part_names[part],
+            (None, Some(names)) if names[piece as usize] != NONE => names[piece as usize],
+            (None, _) => self.names.of_vertex(VertexId(piece)),
+        }
+    }
+
+    /// The lowest corner, where it has any.
+    fn lowest_corner(&self, piece: u32) -> Option<CornerId> {
+        match self.part(piece) {
+            Some(part) => Some(self.parts.parts[part].lowest_corner),
+            None => self.kernel.vertex_corners(VertexId(piece)).min(),
+        }
+    }
+
+    /// All pieces in the order of the new vertices.
+    fn in_order(&self) -> impl Iterator<Item = u32> + use<K> {
+        const FREE: u32 = u32::MAX;
+        let first_part = self.kernel.vertex_count() as u32;
+        let mut apart = self.parts.vertices.iter().map(|(vertex, _)| vertex.0).peekable();
+        let whole = (0..first_part).filter(|vertex| apart.next_if_eq(vertex).is_none());
+        let (in_faces, alone): (Vec<u32>, Vec<u32>) =
+            whole.partition(|&vertex| self.kernel.is_referenced(VertexId(vertex)));
+        let mut holders = vec![FREE; self.names.count()];
+        let mut further = Vec::new();
+        for piece in in_faces.into_iter().chain((first_part..).take(self.parts.parts.len())) {
+            let holder = &mut holders[self.name(piece).index()];
+            match *holder {
+                FREE => *holder = piece,
+                before if self.lowest_corner(piece) < self.lowest_corner(before) => {
+                    *holder = piece;
+                    further.push(before);
+                }
+                _ => further.push(piece),
+            }
+        }
+        further.sort_by_key(|&piece| self.lowest_corner(piece));
+        for vertex in alone {
+            match &mut holders[self.name(vertex).index()] {
+                free @ &mut FREE => *free = vertex,
+                _ => further.push(vertex),
+            }
+        }
+        holders.into_iter().filter(|&piece| piece != FREE).chain(further)
+    }
+}
+
+/// The lowest stored vertex behind each vertex in a face.
+fn lowest_names<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Vec<VertexId> {
+    let mut lowest = vec![NONE; kernel.vertex_count()];
+    for corner in kernel.corners() {
+        let name = &mut lowest[kernel.corner_vertex(corner).index()];
+        *name = names.of(corner).min(*name);
+    }
+    lowest
+}

@@ -1,0 +1,130 @@
+//! The vertices that come apart: each is a star of corners, and its parts are the corners that hang together there.
+//!
+//! Two corners hang together when they meet across matched sides. A disc or half-disc of which no side was parted is
+//! one part by its nature, so only the other vertices are looked at, each by itself.
+
+use meshmend_core::{Connectivity, CornerId, VertexClass, VertexId};
+
+use crate::matching::{Matching, run_the_same_way};
+
+/// The corners of some vertices, by the parts that they belong to.
+pub(super) struct VertexParts {
+    /// The vertices that may have come apart, ascending, with what they were.
+    pub(super) vertices: Vec<(VertexId, VertexClass)>,
+    /// All parts, by vertex, then by lowest corner.
+    pub(super) parts: Vec<Part>,
+    /// Each corner of these vertices, with the place of its part.
+    pub(super) corners: Vec<(CornerId, u32)>,
+}
+
+/// A part of a vertex.
+pub(super) struct Part {
+    pub(super) vertex: VertexId,
+    pub(super) lowest_corner: CornerId,
+}
+
+impl VertexParts {
+    /// The parts of vertices, whose sides are joined where they are matched, and where `joined` says so.
+    ///
+    /// *Cost*: O(Σ d log d) over the vertices' degrees d.
+    pub(super) fn of<K: Connectivity>(
+        kernel: &K,
+        matching: &Matching,
+        joined: &[(CornerId, CornerId)],
+        vertices: Vec<(VertexId, VertexClass)>,
+    ) -> Self {
+        let mut joined: Vec<_> =
+            joined.iter().flat_map(|&(one, other)| [(one, other), (other, one)]).collect();
+        joined.sort_unstable();
+        let mut found = VertexParts { vertices: Vec::new(), parts: Vec::new(), corners: Vec::new() };
+        let mut star = Star::default();
+        for &(vertex, _) in &vertices {
+            star.join(kernel, vertex, |side| {
+                let further = &joined[joined.partition_point(|(one, _)| *one < side)..];
+                let further =
+                    further.iter().take_while(move |(one, _)| *one == side).map(|(_, other)| *other);
+                matching.mate(side).into_iter().chain(further)
+            });
+            found.add(vertex, &mut star);
+        }
+        VertexParts { vertices, ..found }
+    }
+
+    fn add(&mut self, vertex: VertexId, star: &mut Star) {
+        for place in 0..star.corners.len() {
+            let (corner, root) = (star.corners[place], star.root(place as u32));
+            // A root is the lowest of its class, so it comes first.
+            if root == place as u32 {
+                star.part[place] = self.parts.len() as u32;
+                self.parts.push(Part { vertex, lowest_corner: corner });
+            }
+            self.corners.push((corner, star.part[root as usize]));
+        }
+    }
+}
+
+/// The corners at each end of an edge that are one vertex when two of its sides are joined.
+pub(super) fn corners_that_meet<K: Connectivity>(
+    kernel: &K,
+    one: CornerId,
+    other: CornerId,
+) -> [(CornerId, CornerId); 2] {
+    let (after_one, after_other) = (kernel.next_corner(one), kernel.next_corner(other));
+    if run_the_same_way(kernel, one, other) {
+        [(one, other), (after_one, after_other)]
+    } else {
+        [(one, after_other), (after_one, other)]
+    }
+}
+
+/// The corners at a vertex, as they hang together; reused from vertex to vertex.
+#[derive(Default)]
+struct Star {
+    /// Ascending.
+    corners: Vec<CornerId>,
+    parent: Vec<u32>,
+    part: Vec<u32>,
+}
+
+impl Star {
+    /// Joins the corners of a vertex across the sides that `partners` gives for each side.
+    fn join<K: Connectivity, I: Iterator<Item = CornerId>>(
+        &mut self,
+        kernel: &K,
+        vertex: VertexId,
+        partners: impl Fn(CornerId) -> I,
+    ) {
+        self.corners.clear();
+        self.corners.extend(kernel.vertex_corners(vertex));
+        self.corners.sort_unstable();
+        self.parent.clear();
+        self.parent.extend(0..self.corners.len() as u32);
+        self.part.clear();
+        self.part.resize(self.corners.len(), 0);
+        for place in 0..self.corners.len() {
+            let corner = self.corners[place];
+            for partner in partners(corner) {
+                self.union(place, corners_that_meet(kernel, corner, partner)[0].1);
+            }
+            let before = kernel.prev_corner(corner);
+            for partner in partners(before) {
+                self.union(place, corners_that_meet(kernel, before, partner)[1].1);
+            }
+        }
+    }
+
+    fn union(&mut self, place: usize, other: CornerId) {
+        // Partners run along the same edge, so the other corner is at the same vertex.
+        let Ok(other) = self.corners.binary_search(&other) else { return };
+        let (one, other) = (self.root(place as u32), self.root(other as u32));
+        self.parent[one.max(other) as usize] = one.min(other);
+    }
+
+    fn root(&mut self, mut at: u32) -> u32 {
+        while self.parent[at as usize] != at {
+            self.parent[at as usize] = self.parent[self.parent[at as usize] as usize];
+            at = self.parent[at as usize];
+        }
+        at
+    }
+}
