@@ -291,6 +291,36 @@ impl FaceTableBuilder {
         self.end_face();
     }
 
+    /// Adds all faces that another builder has ended.
+    ///
+    /// *Cost*: a copy while all faces of both are triangles, else a step a face.
+    pub fn append(&mut self, other: &Self) {
+        let ended = &other.corners[..other.open];
+        match &other.starts {
+            None if self.starts.is_none() => {
+                self.corners.extend_from_slice(ended);
+                self.open += ended.len();
+            }
+            None => ended.chunks_exact(3).for_each(|face| self.push_face(face.iter().copied())),
+            Some(starts) => {
+                let face = |pair: &[u32]| &ended[pair[0] as usize..pair[1] as usize];
+                starts.windows(2).for_each(|pair| self.push_face(face(pair).iter().copied()));
+            }
+        }
+    }
+
+    /// Forgets the corners of the face that is being built.
+    #[inline]
+    pub fn abandon_face(&mut self) {
+        self.corners.truncate(self.open);
+    }
+
+    /// Forgets all faces, and keeps the memory for others.
+    pub fn clear(&mut self) {
+        (self.starts, self.open) = (None, 0);
+        self.corners.clear();
+    }
+
     /// The table over so many vertices.
     ///
     /// # Errors
@@ -329,6 +359,42 @@ mod tests {
         assert_eq!(table.starts(), Some(&[0, 3, 7, 7][..]));
         assert_eq!(table.corner_face(CornerId(6)), FaceId(1));
         assert_eq!(table.face_vertices(FaceId(2)), &[]);
+    }
+
+    #[test]
+    fn what_one_builder_appends_to_another_is_as_if_it_had_been_added_there() {
+        let lists: [&[&[u32]]; 4] =
+            [&[], &[&[0, 1, 2], &[2, 1, 0]], &[&[0, 1, 2, 3], &[1, 2, 3]], &[&[1, 2, 3], &[], &[0]]];
+        let of = |list: &[&[u32]]| {
+            let mut builder = FaceTableBuilder::default();
+            list.iter().for_each(|face| builder.push_face(ids(face)));
+            builder
+        };
+        for first in lists {
+            for second in lists {
+                let mut appended = of(first);
+                let mut other = of(second);
+                other.push_corner(VertexId(3));
+                appended.append(&other);
+                assert_eq!(appended.face_count(), first.len() + second.len());
+                appended.push_face(ids(&[3, 2, 1]));
+                let expected = of(&[first, second, &[&[3, 2, 1]]].concat());
+                assert_eq!(appended.build(4), expected.build(4));
+            }
+        }
+    }
+
+    #[test]
+    fn an_abandoned_face_and_a_cleared_builder_leave_nothing() {
+        let mut builder = FaceTableBuilder::default();
+        builder.push_face(ids(&[0, 1, 2, 3]));
+        builder.push_corner(VertexId(3));
+        builder.abandon_face();
+        assert_eq!((builder.face_count(), builder.corner_count()), (1, 4));
+        builder.clear();
+        assert_eq!((builder.face_count(), builder.corner_count()), (0, 0));
+        builder.push_face(ids(&[0, 1, 2]));
+        assert!(builder.build(3).unwrap().is_all_triangles());
     }
 
     #[test]
