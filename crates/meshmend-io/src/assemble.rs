@@ -34,6 +34,13 @@ impl Highest {
         }
     }
 
+    /// Sees what another one has seen at later places.
+    pub(crate) fn see_all(&mut self, later: Highest) {
+        if let Some((index, at)) = later.found {
+            self.see(index, at);
+        }
+    }
+
     /// The highest index and its place, if it is not below the count.
     pub(crate) fn beyond(self, count: usize) -> Option<(u32, usize)> {
         self.found.filter(|&(index, _)| index as usize >= count)
@@ -54,6 +61,12 @@ impl Parts {
         } else {
             self.notes.add(NoteKind::SkippedComment, "comments beyond the limit were skipped", place);
         }
+    }
+
+    /// Takes faces that were parsed elsewhere and come after all that are here, with the highest index in them.
+    pub(crate) fn take_faces(&mut self, faces: &FaceTableBuilder, highest: Highest) {
+        self.faces.append(faces);
+        self.highest.see_all(highest);
     }
 
     /// The mesh, or an error at the highest index if there is no such vertex. `first` is the number of the first
@@ -106,8 +119,47 @@ impl Uses {
         self.highest.see(value, at);
     }
 
+    /// Lets the element after all that have a value use one.
+    #[inline]
+    pub(crate) fn push(&mut self, value: u32, at: usize) {
+        self.uses.push(value);
+        self.highest.see(value, at);
+    }
+
+    /// Lets as many elements from this one on use what those of another list use, which come later in the file.
+    pub(crate) fn append(&mut self, element: usize, later: &Uses) {
+        if !later.is_empty() {
+            self.uses.resize(element, meshmend_core::NO_VALUE);
+            self.uses.extend_from_slice(&later.uses);
+            self.highest.see_all(later.highest);
+        }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.uses.is_empty()
+    }
+
+    /// How many elements there are up to the last one that was given a value.
+    pub(crate) fn len(&self) -> usize {
+        self.uses.len()
+    }
+
+    /// Forgets all uses, and keeps the memory for others.
+    pub(crate) fn clear(&mut self) {
+        self.return_to((0, Highest::default()));
+    }
+
+    /// What to return to when what follows is to be forgotten.
+    #[inline]
+    pub(crate) fn mark(&self) -> (usize, Highest) {
+        (self.uses.len(), self.highest)
+    }
+
+    /// Forgets what came after a mark.
+    #[inline]
+    pub(crate) fn return_to(&mut self, (length, highest): (usize, Highest)) {
+        self.uses.truncate(length);
+        self.highest = highest;
     }
 
     /// The uses of all elements; values that don't exist are counted, with the place of the highest, and taken

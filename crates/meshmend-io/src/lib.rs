@@ -26,12 +26,14 @@
 //!
 //! [`PolygonMesh`]: meshmend_core::PolygonMesh
 
+mod ahead;
 mod assemble;
 mod atomic;
 mod error;
 mod format;
 mod layers;
 mod limits;
+mod line;
 mod loss;
 mod note;
 mod obj;

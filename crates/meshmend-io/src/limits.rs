@@ -43,6 +43,13 @@ impl Limits {
             ..self
         }
     }
+
+    /// Whether a mesh of so many vertices, faces and corners is within the limits.
+    pub(crate) fn hold(&self, vertices: usize, faces: usize, corners: usize) -> bool {
+        vertices as u64 <= self.max_vertices
+            && faces as u64 <= self.max_faces
+            && corners as u64 <= self.max_corners
+    }
 }
 
 #[cfg(test)]

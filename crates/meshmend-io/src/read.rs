@@ -6,6 +6,7 @@ use std::path::Path;
 
 use meshmend_core::PolygonMesh;
 
+use crate::ahead::Pace;
 use crate::note::Notes;
 use crate::{Format, Limits, Note, Place, ReadError, ReadErrorKind};
 
@@ -61,6 +62,8 @@ pub fn read_bytes(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Rea
 pub(crate) struct Source<'a> {
     pub(crate) bytes: &'a [u8],
     pub(crate) name: &'a str,
+    /// How far ahead of a reader text is parsed.
+    pub(crate) pace: Pace,
 }
 
 /// What a format's reader found.
@@ -94,7 +97,7 @@ impl Source<'_> {
 }
 
 fn read_as(bytes: &[u8], name: &str, format: Option<Format>, limits: &Limits) -> Result<ReadFile, ReadError> {
-    let source = Source { bytes, name };
+    let source = Source { bytes, name, pace: Pace::of(bytes.len()) };
     source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
     let extension_is_known = Path::new(name).extension().is_some_and(is_foreign);
     let format = match format {

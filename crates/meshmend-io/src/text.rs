@@ -79,6 +79,15 @@ pub(crate) fn comment_text(bytes: &[u8]) -> &[u8] {
     }
 }
 
+/// The place of the next byte that is neither blank nor line end, or an end before it.
+#[inline]
+pub(crate) fn skip_space(bytes: &[u8], mut at: usize, end: usize) -> usize {
+    while at < end && bytes.get(at).is_some_and(|&b| is_space(b)) {
+        at += 1;
+    }
+    at
+}
+
 /// The next run of bytes that are neither blanks nor line ends, and where it ends.
 pub(crate) fn word(bytes: &[u8], at: usize) -> &[u8] {
     let length = bytes[at..].iter().position(|&b| is_space(b)).unwrap_or(bytes.len() - at);

@@ -16,6 +16,7 @@
 
 mod cursor;
 mod names;
+mod plain;
 mod pools;
 mod read;
 mod write;

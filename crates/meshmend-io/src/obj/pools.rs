@@ -3,6 +3,7 @@
 use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Values};
 
 /// Values of one to three numbers, one after the other, all as wide as the widest.
+#[derive(Default)]
 pub(super) struct Pool {
     pub(super) width: usize,
     pub(super) values: Vec<f64>,
@@ -29,6 +30,22 @@ impl Pool {
         self.mixed += u64::from(value.len() < self.width);
         self.values.extend_from_slice(value);
         self.values.resize(self.values.len() + self.width - value.len(), 0.0);
+    }
+
+    /// Appends the values of another pool, unless one is wider than the other.
+    pub(super) fn append(&mut self, other: &Pool) -> bool {
+        let fits = other.values.is_empty() || [0, other.width].contains(&self.width);
+        if fits && !other.values.is_empty() {
+            self.width = other.width;
+            self.values.extend_from_slice(&other.values);
+        }
+        fits
+    }
+
+    /// Forgets all values, and keeps the memory for others.
+    pub(super) fn clear(&mut self) {
+        self.values.clear();
+        (self.width, self.mixed) = (0, 0);
     }
 
     fn widen(&mut self, width: usize) {

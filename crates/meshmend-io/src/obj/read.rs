@@ -1,10 +1,12 @@
-//! The OBJ reader: one pass over the bytes, without a copy of any line.
+//! The OBJ reader: one pass over the bytes, without a copy of any line. Plain statements are parsed ahead of it.
 
 use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Values, VertexId};
 
+use crate::ahead::{self, read_ahead};
 use crate::assemble::{Parts, Uses, no_such_vertex};
 use crate::obj::cursor::{COLUMNS, Cursor};
 use crate::obj::names::{KINDS, Runs};
+use crate::obj::plain::Statements;
 use crate::obj::pools::{Colors, Pool};
 use crate::read::{Parsed, Source};
 use crate::text::{self, is_blank, is_line_end};
@@ -21,7 +23,7 @@ pub(super) fn sniff(bytes: &[u8]) -> bool {
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let mut reader = Reader::new(source, limits);
-    reader.statements()?;
+    read_ahead(source.bytes, source.pace, &Statements::default(), &mut reader)?;
     reader.finish()
 }
 
@@ -57,18 +59,6 @@ impl<'a> Reader<'a> {
             texcoord_uses: Uses::default(),
             normal_uses: Uses::default(),
             names: Default::default(),
-        }
-    }
-
-    fn statements(&mut self) -> Result<(), ReadError> {
-        loop {
-            self.cursor.skip_blanks();
-            match self.cursor.peek() {
-                None => return Ok(()),
-                Some(byte) if is_line_end(byte) => self.cursor.at += 1,
-                Some(b'#') => self.comment(),
-                Some(first) => self.statement(first)?,
-            }
         }
     }
 
@@ -377,6 +367,51 @@ impl<'a> Reader<'a> {
             let layer = Layer::indexed(name, Domain::Corner, width, Carry::Interpolate, values, uses);
             self.parts.layers.push(layer);
         }
+    }
+}
+
+impl ahead::Reader<Statements> for Reader<'_> {
+    fn at(&mut self) -> &mut usize {
+        &mut self.cursor.at
+    }
+
+    fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
+        while self.cursor.at < end {
+            self.cursor.skip_blanks();
+            match self.cursor.peek() {
+                None => return Ok(()),
+                Some(byte) if is_line_end(byte) => self.cursor.at += 1,
+                Some(b'#') => self.comment(),
+                Some(first) => self.statement(first)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Statements) -> bool {
+        let (faces, corners) = (self.parts.faces.face_count(), self.parts.faces.corner_count());
+        let is_within = self.limits.hold(
+            self.parts.positions.len() + rows.positions.len(),
+            faces + rows.faces.face_count(),
+            corners + rows.faces.corner_count(),
+        );
+        if !is_within || !self.texcoords.append(&rows.texcoords) {
+            return false;
+        }
+        self.is_obj = true;
+        self.parts.positions.extend_from_slice(&rows.positions);
+        if let Some(weights) = &mut self.weights {
+            weights.resize(self.parts.positions.len(), 1.0);
+        }
+        self.normals.append(&rows.normals);
+        self.texcoord_uses.append(corners, &rows.texcoord_uses);
+        self.normal_uses.append(corners, &rows.normal_uses);
+        self.parts.take_faces(&rows.faces, rows.highest);
+        true
+    }
+
+    fn is_done(&self) -> bool {
+        false
     }
 }
 

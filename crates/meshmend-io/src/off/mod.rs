@@ -15,7 +15,9 @@
 //! comment; whole lines of comment are metadata. A file without the word `OFF`, of four or n dimensions, or
 //! binary is an error; lines after the last face are skipped and noted.
 
+mod blocks;
 mod colors;
+mod plain;
 mod read;
 mod write;
 

@@ -1,9 +1,9 @@
-//! The OFF reader.
+//! The OFF reader: the header, and the words of a line.
 
-use meshmend_core::{Carry, Domain, Layer, Values, VertexId};
+use meshmend_core::VertexId;
 
 use crate::assemble::Parts;
-use crate::off::colors::Colors;
+use crate::off::blocks::{read_faces, read_vertices};
 use crate::read::{Parsed, Source};
 use crate::text::{self, is_blank, is_line_end, is_space};
 use crate::{Limits, NoteKind, Place, ReadError};
@@ -41,19 +41,19 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
     let mut reader = Reader::new(source, limits);
     let columns = reader.header()?;
     let [vertices, faces] = reader.counts()?;
-    reader.vertices(vertices, columns)?;
-    reader.faces(faces)?;
+    read_vertices(&mut reader, vertices, columns)?;
+    read_faces(&mut reader, faces)?;
     reader.surplus();
     let (mesh, notes) = reader.parts.assemble(source, 0, |at| source.line(at))?;
     Ok(Parsed { mesh, variant: "off", notes })
 }
 
-struct Reader<'a> {
-    source: &'a Source<'a>,
-    bytes: &'a [u8],
-    limits: &'a Limits,
-    at: usize,
-    parts: Parts,
+pub(super) struct Reader<'a> {
+    pub(super) source: &'a Source<'a>,
+    pub(super) bytes: &'a [u8],
+    pub(super) limits: &'a Limits,
+    pub(super) at: usize,
+    pub(super) parts: Parts,
 }
 
 impl<'a> Reader<'a> {
@@ -100,7 +100,7 @@ impl<'a> Reader<'a> {
         Ok([vertices as usize, faces as usize])
     }
 
-    fn count(&mut self, what: &str) -> Result<u64, ReadError> {
+    pub(super) fn count(&mut self, what: &str) -> Result<u64, ReadError> {
         self.skip_blanks();
         match text::digits(&self.bytes[self.at..]) {
             Some((count, length)) if self.ends_after(length) => {
@@ -111,35 +111,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn vertices(&mut self, count: usize, columns: Columns) -> Result<(), ReadError> {
-        self.parts.positions.reserve_exact(count);
-        let (mut normals, mut texcoords, mut colors) = (Vec::new(), Vec::new(), Colors::new());
-        for vertex in 0..count {
-            self.next_line("a vertex")?;
-            let point = [self.number()?, self.number()?, self.number()?];
-            self.parts.positions.push(point);
-            if columns.normal {
-                normals.extend([self.number()?, self.number()?, self.number()?]);
-            }
-            if columns.color {
-                colors.add(vertex, self.color(columns.texcoord));
-            }
-            if columns.texcoord {
-                texcoords.extend([self.number()?, self.number()?]);
-            }
-            self.note_surplus_columns();
-        }
-        let direct = |name, width, values| {
-            Layer::direct(name, Domain::Vertex, width, Carry::Interpolate, Values::F64(values))
-        };
-        self.parts.layers.extend(columns.normal.then(|| direct("normal", 3, normals)));
-        self.parts.layers.extend(columns.texcoord.then(|| direct("texcoord", 2, texcoords)));
-        self.parts.layers.extend(colors.layer(Domain::Vertex, count));
-        Ok(())
-    }
-
     /// The rest of the line, apart from its last two words if those are a texture coordinate.
-    fn color(&mut self, texcoord_follows: bool) -> &'a [u8] {
+    pub(super) fn color(&mut self, texcoord_follows: bool) -> &'a [u8] {
         let rest = self.rest();
         let last_word = |bytes: &[u8]| {
             let bytes = &bytes[..bytes.iter().rposition(|&b| !is_space(b)).map_or(0, |last| last + 1)];
@@ -150,7 +123,7 @@ impl<'a> Reader<'a> {
         text::trimmed(&rest[..end])
     }
 
-    fn note_surplus_columns(&mut self) {
+    pub(super) fn note_surplus_columns(&mut self) {
         self.skip_blanks();
         if !self.line_ended() {
             let (source, at) = (self.source, self.at);
@@ -160,35 +133,8 @@ impl<'a> Reader<'a> {
         self.end_line();
     }
 
-    fn faces(&mut self, count: usize) -> Result<(), ReadError> {
-        let mut colors = Colors::new();
-        for face in 0..count {
-            self.next_line("a face")?;
-            let start = self.at;
-            let degree = self.count("corners")?;
-            let corners = self.parts.faces.corner_count() as u64;
-            // An index takes a blank and a digit: more corners than half the bytes that are left can't be there.
-            if degree > ((self.bytes.len() - self.at) / 2) as u64 {
-                return Err(self.wrong(start, &format!("a face of {degree} corners does not fit its line")));
-            }
-            self.source.limited("corners", corners + degree, self.limits.max_corners)?;
-            for _ in 0..degree {
-                self.corner()?;
-            }
-            self.parts.faces.end_face();
-            self.skip_blanks();
-            if !self.line_ended() {
-                let color = text::trimmed(self.rest());
-                colors.add(face, color);
-            }
-            self.end_line();
-        }
-        self.parts.layers.extend(colors.layer(Domain::Face, count));
-        Ok(())
-    }
-
     #[inline]
-    fn corner(&mut self) -> Result<(), ReadError> {
+    pub(super) fn corner(&mut self) -> Result<(), ReadError> {
         self.skip_blanks();
         match text::integer(&self.bytes[self.at..]) {
             Some((index, length)) if self.ends_after(length) => {
@@ -205,7 +151,7 @@ impl<'a> Reader<'a> {
     }
 
     #[inline]
-    fn number(&mut self) -> Result<f64, ReadError> {
+    pub(super) fn number(&mut self) -> Result<f64, ReadError> {
         self.skip_blanks();
         match text::real::<f64>(&self.bytes[self.at..]) {
             Some((value, length)) if self.ends_after(length) => {
@@ -226,13 +172,26 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn next_line(&mut self, what: &str) -> Result<(), ReadError> {
+    pub(super) fn next_line(&mut self, what: &str) -> Result<(), ReadError> {
         if self.find_line() {
             return Ok(());
         }
         Err(self
             .source
             .malformed(Place::Byte(self.bytes.len() as u64), format!("the file ends where {what} belongs")))
+    }
+
+    /// Whether a line begins before this byte, keeping the comments before it. At the end of the text one does: it is
+    /// what comes next, and is missing.
+    pub(super) fn line_begins_before(&mut self, end: usize) -> bool {
+        while self.at < end {
+            match self.bytes.get(self.at) {
+                Some(b'#') => self.comment(),
+                Some(&byte) if is_space(byte) => self.at += 1,
+                _ => return true,
+            }
+        }
+        self.at == self.bytes.len()
     }
 
     /// Goes to the first word of the next line that has one, keeping comments; says whether there is one.
@@ -257,7 +216,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The rest of the line without its comment.
-    fn rest(&self) -> &'a [u8] {
+    pub(super) fn rest(&self) -> &'a [u8] {
         let rest = &self.bytes[self.at..];
         let end = rest.iter().position(|&b| is_line_end(b) || b == b'#').unwrap_or(rest.len());
         &rest[..end]
@@ -265,18 +224,18 @@ impl<'a> Reader<'a> {
 
     /// Goes to the end of the line.
     #[inline]
-    fn end_line(&mut self) {
+    pub(super) fn end_line(&mut self) {
         self.at = text::line_end(self.bytes, self.at);
     }
 
     #[inline]
-    fn skip_blanks(&mut self) {
+    pub(super) fn skip_blanks(&mut self) {
         while self.bytes.get(self.at).is_some_and(|&b| is_blank(b)) {
             self.at += 1;
         }
     }
 
-    fn line_ended(&self) -> bool {
+    pub(super) fn line_ended(&self) -> bool {
         self.bytes.get(self.at).is_none_or(|&b| is_line_end(b) || b == b'#')
     }
 
@@ -295,7 +254,7 @@ impl<'a> Reader<'a> {
     }
 
     #[cold]
-    fn wrong(&self, at: usize, reason: &str) -> ReadError {
+    pub(super) fn wrong(&self, at: usize, reason: &str) -> ReadError {
         self.source.malformed(self.source.line(at), reason)
     }
 }

@@ -16,6 +16,7 @@
 //! several solids are the face layer `object`. A missing `endsolid` after a whole facet is noted.
 
 mod binary;
+mod facets;
 mod plain;
 mod write;
 

@@ -1,21 +1,22 @@
-//! The reader of STL as text.
+//! The reader of STL as text. Facets that are laid out as usual are parsed ahead of it.
 
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values, VertexId};
 
 use std::collections::BTreeMap;
 
+use crate::ahead::{self, read_ahead};
 use crate::assemble::Parts;
 use crate::read::{Parsed, Source};
 use crate::stl::SOLID;
+use crate::stl::facets::Facets;
 use crate::text::{self, is_blank, is_space};
 use crate::{Limits, NoteKind, Place, ReadError};
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let at = text::text_start(source.bytes);
-    let mut reader = Reader { source, limits, at, parts: Parts::default(), solids: Vec::new() };
-    while reader.next() < source.bytes.len() {
-        reader.solid()?;
-    }
+    let mut reader =
+        Reader { source, limits, at, parts: Parts::default(), solids: Vec::new(), is_in_solid: false };
+    read_ahead(source.bytes, source.pace, &Facets::default(), &mut reader)?;
     reader.finish()
 }
 
@@ -26,26 +27,30 @@ struct Reader<'a> {
     parts: Parts,
     /// Each solid's first face and name.
     solids: Vec<(usize, &'a [u8])>,
+    is_in_solid: bool,
 }
 
 impl<'a> Reader<'a> {
-    fn solid(&mut self) -> Result<(), ReadError> {
-        self.expect("solid")?;
-        let name = self.name();
-        self.solids.push((self.parts.faces.face_count(), name));
-        loop {
-            let start = self.next();
-            if start == self.source.bytes.len() {
-                return self.missing_end(start);
-            }
-            if self.accept("facet") {
-                self.facet(start)?;
-            } else if self.accept("endsolid") {
-                self.pass_end_name();
-                return Ok(());
-            } else {
-                return Err(self.unexpected("`facet` or `endsolid`"));
-            }
+    /// Reads what comes next between facets: one of them, or where a solid begins or ends.
+    fn item(&mut self) -> Result<(), ReadError> {
+        let start = self.next();
+        if !self.is_in_solid {
+            self.expect("solid")?;
+            let name = self.name();
+            self.solids.push((self.parts.faces.face_count(), name));
+            self.is_in_solid = true;
+            Ok(())
+        } else if start == self.source.bytes.len() {
+            self.is_in_solid = false;
+            self.missing_end(start)
+        } else if self.accept("facet") {
+            self.facet(start)
+        } else if self.accept("endsolid") {
+            self.pass_end_name();
+            self.is_in_solid = false;
+            Ok(())
+        } else {
+            Err(self.unexpected("`facet` or `endsolid`"))
         }
     }
 
@@ -207,6 +212,42 @@ impl<'a> Reader<'a> {
         let dropped = if count > 1 { count - self.solids.len() } else { 0 };
         let message = "a solid without a facet was skipped";
         self.parts.notes.add_many(NoteKind::UnusedName, message, dropped as u64, || Place::File);
+    }
+}
+
+impl ahead::Reader<Facets> for Reader<'_> {
+    fn at(&mut self) -> &mut usize {
+        &mut self.at
+    }
+
+    fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
+        let length = self.source.bytes.len();
+        loop {
+            self.at = text::skip_space(self.source.bytes, self.at, end);
+            let is_missing_end = self.at == length && self.is_in_solid;
+            if self.at >= end && !is_missing_end {
+                return Ok(());
+            }
+            self.item()?;
+        }
+    }
+
+    fn take(&mut self, rows: &Facets) -> bool {
+        let (faces, vertices) = (self.parts.faces.face_count(), self.parts.positions.len());
+        let all = vertices + rows.positions.len();
+        let is_within = self.limits.hold(all, faces + rows.positions.len() / 3, all);
+        if !is_within || !self.is_in_solid {
+            return false;
+        }
+        self.parts.positions.extend_from_slice(&rows.positions);
+        (vertices as u32..all as u32).step_by(3).for_each(|first| {
+            self.parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
+        });
+        true
+    }
+
+    fn is_done(&self) -> bool {
+        false
     }
 }
 

@@ -1,0 +1,157 @@
+//! The two blocks of an OFF file: its vertices, and its faces. Lines without anything beside coordinates or indices are
+//! parsed ahead.
+
+use meshmend_core::{Carry, Domain, Layer, Values};
+
+use crate::ReadError;
+use crate::ahead::{self, Pace, read_ahead};
+use crate::off::colors::Colors;
+use crate::off::plain::{Points, Polygons};
+use crate::off::read::{Columns, Reader};
+use crate::text;
+
+pub(super) fn read_vertices(
+    reader: &mut Reader<'_>,
+    count: usize,
+    columns: Columns,
+) -> Result<(), ReadError> {
+    reader.parts.positions.reserve_exact(count);
+    // Three numbers are a vertex only where it has nothing beside them.
+    let pace = if columns == Columns::default() { reader.source.pace } else { Pace::NONE };
+    let (text, colors) = (reader.bytes, Colors::new());
+    let mut block = Vertices { reader, count, columns, normals: Vec::new(), texcoords: Vec::new(), colors };
+    read_ahead(text, pace, &Points::default(), &mut block)?;
+    let Vertices { reader, normals, texcoords, colors, .. } = block;
+    let direct = |name, width, values| {
+        Layer::direct(name, Domain::Vertex, width, Carry::Interpolate, Values::F64(values))
+    };
+    reader.parts.layers.extend(columns.normal.then(|| direct("normal", 3, normals)));
+    reader.parts.layers.extend(columns.texcoord.then(|| direct("texcoord", 2, texcoords)));
+    reader.parts.layers.extend(colors.layer(Domain::Vertex, count));
+    Ok(())
+}
+
+pub(super) fn read_faces(reader: &mut Reader<'_>, count: usize) -> Result<(), ReadError> {
+    let (text, pace) = (reader.bytes, reader.source.pace);
+    let mut block = Faces { reader, count, colors: Colors::new() };
+    read_ahead(text, pace, &Polygons::default(), &mut block)?;
+    let Faces { reader, colors, .. } = block;
+    reader.parts.layers.extend(colors.layer(Domain::Face, count));
+    Ok(())
+}
+
+struct Vertices<'r, 'a> {
+    reader: &'r mut Reader<'a>,
+    count: usize,
+    columns: Columns,
+    normals: Vec<f64>,
+    texcoords: Vec<f64>,
+    colors: Colors<'a>,
+}
+
+impl Vertices<'_, '_> {
+    fn vertex(&mut self) -> Result<(), ReadError> {
+        let (reader, columns) = (&mut *self.reader, self.columns);
+        reader.next_line("a vertex")?;
+        let vertex = reader.parts.positions.len();
+        let point = [reader.number()?, reader.number()?, reader.number()?];
+        reader.parts.positions.push(point);
+        if columns.normal {
+            self.normals.extend([reader.number()?, reader.number()?, reader.number()?]);
+        }
+        if columns.color {
+            self.colors.add(vertex, reader.color(columns.texcoord));
+        }
+        if columns.texcoord {
+            self.texcoords.extend([reader.number()?, reader.number()?]);
+        }
+        reader.note_surplus_columns();
+        Ok(())
+    }
+}
+
+impl ahead::Reader<Points> for Vertices<'_, '_> {
+    fn at(&mut self) -> &mut usize {
+        &mut self.reader.at
+    }
+
+    fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
+        while !self.is_done() && self.reader.line_begins_before(end) {
+            self.vertex()?;
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Points) -> bool {
+        let positions = &mut self.reader.parts.positions;
+        let is_within = positions.len() + rows.positions.len() <= self.count;
+        if is_within {
+            positions.extend_from_slice(&rows.positions);
+        }
+        is_within
+    }
+
+    fn is_done(&self) -> bool {
+        self.reader.parts.positions.len() == self.count
+    }
+}
+
+struct Faces<'r, 'a> {
+    reader: &'r mut Reader<'a>,
+    count: usize,
+    colors: Colors<'a>,
+}
+
+impl Faces<'_, '_> {
+    fn face(&mut self) -> Result<(), ReadError> {
+        let reader = &mut *self.reader;
+        reader.next_line("a face")?;
+        let start = reader.at;
+        let degree = reader.count("corners")?;
+        let (face, corners) = (reader.parts.faces.face_count(), reader.parts.faces.corner_count() as u64);
+        // An index takes a blank and a digit: more corners than half the bytes that are left can't be there.
+        if degree > ((reader.bytes.len() - reader.at) / 2) as u64 {
+            let reason = format!("a face of {degree} corners does not fit its line");
+            return Err(reader.wrong(start, &reason));
+        }
+        reader.source.limited("corners", corners + degree, reader.limits.max_corners)?;
+        for _ in 0..degree {
+            reader.corner()?;
+        }
+        reader.parts.faces.end_face();
+        reader.skip_blanks();
+        if !reader.line_ended() {
+            self.colors.add(face, text::trimmed(reader.rest()));
+        }
+        reader.end_line();
+        Ok(())
+    }
+}
+
+impl ahead::Reader<Polygons> for Faces<'_, '_> {
+    fn at(&mut self) -> &mut usize {
+        &mut self.reader.at
+    }
+
+    fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
+        while !self.is_done() && self.reader.line_begins_before(end) {
+            self.face()?;
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Polygons) -> bool {
+        let faces = &self.reader.parts.faces;
+        let corners = (faces.corner_count() + rows.faces.corner_count()) as u64;
+        let is_within = faces.face_count() + rows.faces.face_count() <= self.count
+            && corners <= self.reader.limits.max_corners;
+        if is_within {
+            self.reader.parts.take_faces(&rows.faces, rows.highest);
+        }
+        is_within
+    }
+
+    fn is_done(&self) -> bool {
+        self.reader.parts.faces.face_count() == self.count
+    }
+}

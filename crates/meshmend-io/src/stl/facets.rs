@@ -1,0 +1,70 @@
+//! Facets as almost all programs write them: seven lines, words in small letters, three vertices.
+
+use crate::ahead::Rows;
+use crate::line::Line;
+use crate::text;
+
+/// The corners of facets, three each.
+#[derive(Default)]
+pub(super) struct Facets {
+    pub(super) positions: Vec<[f64; 3]>,
+}
+
+impl Rows for Facets {
+    fn none(&self) -> Self {
+        Facets::default()
+    }
+
+    fn clear(&mut self) {
+        self.positions.clear();
+    }
+
+    #[inline]
+    fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
+        let (corners, end) = facet(text, at)?;
+        self.positions.extend_from_slice(&corners);
+        Some(end)
+    }
+
+    /// The next line that begins with `facet`.
+    fn next_row(text: &[u8], at: usize) -> usize {
+        let mut next = at;
+        loop {
+            next = text::after_line_end(text, text::line_end(text, next));
+            let start = text::skip_space(text, next, text.len());
+            if start == text.len() {
+                return start;
+            }
+            if text::word(text, start) == b"facet" {
+                return next;
+            }
+            next = start;
+        }
+    }
+}
+
+/// The corners of the facet that begins at a byte, and where it ends.
+#[inline]
+fn facet(text: &[u8], at: usize) -> Option<([[f64; 3]; 3], usize)> {
+    let mut line = Line::from(text, at);
+    line.pass(b"facet")?;
+    line.pass(b"normal")?;
+    // The reader passes over any words up to `outer`, and stops at the first one.
+    for _ in 0..3 {
+        line.pass_any().filter(|word| word.first().is_some_and(|b| !b.eq_ignore_ascii_case(&b'o')))?;
+    }
+    line = Line::from(text, line.end()?);
+    line.pass(b"outer")?;
+    line.pass(b"loop")?;
+    let mut corners = [[0.0; 3]; 3];
+    for corner in &mut corners {
+        line = Line::from(text, line.end()?);
+        line.pass(b"vertex")?;
+        *corner = line.point::<f32>()?.map(f64::from);
+    }
+    line = Line::from(text, line.end()?);
+    line.pass(b"endloop")?;
+    line = Line::from(text, line.end()?);
+    line.pass(b"endfacet")?;
+    Some((corners, line.end()?))
+}
