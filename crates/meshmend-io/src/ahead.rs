@@ -43,14 +43,14 @@ pub(crate) trait Rows: Send + Sync {
 /// Reads a text by itself, and may be given rows of it.
 pub(crate) trait Reader<R>: Send {
     /// The byte that it comes to next.
-    fn at(&mut self) -> &mut usize;
+    fn at(&self) -> usize;
 
     /// Reads on by itself until it is done, or what comes next does not begin before this byte. At the end of the text
     /// something that is still missing is an error.
     fn read_to(&mut self, end: usize) -> Result<(), ReadError>;
 
-    /// Takes the rows that come next, or says that it must read them itself.
-    fn take(&mut self, rows: &R) -> bool;
+    /// Takes the rows that come next and goes to their end, or says that it must read them itself.
+    fn take(&mut self, rows: &R, end: usize) -> bool;
 
     /// Whether it has all that it came for, though the text may go on.
     fn is_done(&self) -> bool;
@@ -94,7 +94,7 @@ pub(crate) fn read_ahead<R: Rows>(
         return reader.read_to(text.len());
     }
     let (mut wave, mut next) = (Wave::default(), Wave::default());
-    wave.parse(text, *reader.at(), pace, rows);
+    wave.parse(text, reader.at(), pace, rows);
     while wave.end < text.len() && !reader.is_done() {
         if pace.chunks == 1 {
             wave.hand_over(reader)?;
@@ -154,8 +154,9 @@ impl<R: Rows> Wave<R> {
     fn hand_over(&self, reader: &mut impl Reader<R>) -> Result<(), ReadError> {
         for piece in self.chunks.iter().flat_map(|chunk| &chunk.pieces) {
             reader.read_to(piece.text.start)?;
-            if *reader.at() == piece.text.start && reader.take(&piece.rows) {
-                *reader.at() = piece.text.end;
+            if reader.at() == piece.text.start {
+                // What it does not take it will read on the way to the next piece.
+                reader.take(&piece.rows, piece.text.end);
             }
         }
         reader.read_to(self.end)

@@ -155,7 +155,9 @@ fn obj(random: &mut Random, lines: usize, oddity: Oddity) -> String {
         "v 0 0 0 1 1 1 0.5",
         "mtllib x.mtl",
     ];
-    const WRONG: [&str; 10] = [
+    const WRONG: [&str; 12] = [
+        "v 0 0-1",
+        "f 1 2+3",
         "v 1 2",
         "v 1 2 x",
         "f 0 1 2",
@@ -220,12 +222,23 @@ fn off(random: &mut Random, lines: usize, oddity: Oddity) -> String {
         "3 0 1 2 # a face",
         "4 0 1 2 0",
     ];
-    const WRONG: [&str; 8] =
-        ["3 0 1", "3 0 1 99", "3 0 1 -1", "x", "3 0 1 x", "1 2", "900000000 1 2", "3 0 1 4294967296"];
+    const WRONG: [&str; 11] = [
+        "3 0 1",
+        "0 0-1",
+        "3 0 1+2",
+        "3 0 1 99",
+        "3 0 1 2 99",
+        "3 0 1 -1",
+        "x",
+        "3 0 1 x",
+        "1 2",
+        "900000000 1 2",
+        "3 0 1 4294967296",
+    ];
     let (vertices, faces) = (3 + lines / 2, lines);
     let announced =
         [vertices, faces].map(|count| if random.one_in(8) { count + random.below(3) } else { count });
-    let head = if oddity.rare == 2 { random.of(&["OFF", "COFF", "NOFF", "STOFF"]) } else { "OFF" };
+    let head = if oddity.rare > 0 { random.of(&["OFF", "COFF", "NOFF", "STOFF"]) } else { "OFF" };
     let beside = match head {
         "COFF" => 4,
         "NOFF" => 3,
@@ -302,4 +315,186 @@ fn stl(random: &mut Random, lines: usize, oddity: Oddity) -> String {
 #[test]
 fn stl_is_read_as_by_its_reader_alone() {
     assert_all_as_alone(Format::Stl, stl);
+}
+
+/// A number of a type as it is usually written, or not so usually.
+fn ply_number(random: &mut Random, scalar: &str, oddity: Oddity) -> String {
+    match scalar {
+        "float" | "double" if random.one_in(oddity.rare.saturating_mul(4)) => "nan".to_owned(),
+        "float" | "double" => random.number(),
+        _ if random.one_in(oddity.rare.saturating_mul(4)) => {
+            random.of(&["12.0", "+3", "0000000012", "-1"]).to_owned()
+        }
+        _ if random.one_in(oddity.wrong.saturating_mul(4)) => {
+            random.of(&["1.5", "300", "x", "5000000000"]).to_owned()
+        }
+        _ => random.below(120).to_string(),
+    }
+}
+
+fn ply_face(random: &mut Random, vertices: usize, oddity: Oddity) -> String {
+    let degree = [3, 3, 3, 3, 4, 0][random.below(6)];
+    let wrong = random.one_in(oddity.wrong);
+    let beyond = if wrong { random.of(&[" 99", " -1", " 4294967295", " 1.5", " x", ""]) } else { "" };
+    let corners: String = (0..degree).map(|_| format!(" {}", random.below(vertices))).collect();
+    format!("{}{corners}{beyond}", degree + usize::from(!beyond.is_empty()))
+}
+
+fn ply(random: &mut Random, lines: usize, oddity: Oddity) -> String {
+    let scalars = ["float", "double", "uchar", "char", "short", "ushort", "int", "uint"];
+    let beside: Vec<&str> = (0..[0, 0, 1, 3][random.below(4)]).map(|_| random.of(&scalars)).collect();
+    let axes = [random.of(&scalars[..2]), random.of(&["float", "double", "int"])];
+    let index = random.of(&["int", "int", "uint", "ushort", "float"]);
+    let (vertices, faces) = (3 + lines / 2, lines);
+    let has_lists = random.one_in(oddity.rare);
+    let announced =
+        [vertices, faces].map(|count| if random.one_in(12) { count + random.below(5) - 2 } else { count });
+    let mut head =
+        format!("ply\nformat ascii 1.0\nelement vertex {}\nproperty {} x\n", announced[0], axes[0]);
+    for (name, scalar) in ["p", "q", "r"].iter().zip(&beside) {
+        writeln!(head, "property {scalar} {name}").unwrap();
+    }
+    write!(head, "property {} y\nproperty {} z\nelement face {}\n", axes[0], axes[1], announced[1]).unwrap();
+    write!(head, "property list uchar {index} vertex_indices\n").unwrap();
+    for (name, scalar) in ["p", "q", "r"].iter().zip(&beside) {
+        writeln!(head, "property {scalar} {name}").unwrap();
+    }
+    head += if has_lists { "property list uchar float texcoord\n" } else { "" };
+    head += random.of(&[
+        "",
+        "",
+        "element edge 1\nproperty int vertex1\nproperty int vertex2\n",
+        "element odd 2\nproperty int x\n",
+    ]);
+    let mut all = vec![head + "end_header"];
+    for line in 0..vertices + faces + 1 {
+        let others: String =
+            beside.iter().map(|scalar| format!(" {}", ply_number(random, scalar, oddity))).collect();
+        let row = if line < vertices {
+            let [x, y] = [axes[0]; 2].map(|scalar| ply_number(random, scalar, oddity));
+            format!("{x}{others} {y} {}", ply_number(random, axes[1], oddity))
+        } else if line < vertices + faces {
+            let texcoord = if has_lists { random.of(&[" 0", " 2 0.5 1", " 6 0 0 1 0 1 1"]) } else { "" };
+            ply_face(random, vertices, oddity) + &others + texcoord
+        } else {
+            random.of(&["", "0 1", "3 0 1 99 7"]).to_owned()
+        };
+        if line > 0 && random.one_in(oddity.rare) {
+            let words: Vec<&str> = row.split(' ').collect();
+            all.push(words.join(random.of(&["\n", "  "])));
+        } else {
+            all.push(row);
+        }
+        if line > 0 && random.one_in(oddity.rare) {
+            let last = all.pop().unwrap();
+            write!(all.last_mut().unwrap(), " {last}").unwrap();
+        }
+    }
+    random.joined(&all)
+}
+
+#[test]
+fn ply_is_read_as_by_its_reader_alone() {
+    assert_all_as_alone(Format::Ply, ply);
+}
+
+/// Plain rows are `x`; any other line is not plain, and `skip` goes on for two lines.
+#[derive(Default)]
+struct Crosses(usize);
+
+impl Rows for Crosses {
+    fn none(&self) -> Self {
+        Crosses(0)
+    }
+
+    fn clear(&mut self) {
+        self.0 = 0;
+    }
+
+    fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
+        let row = text[at..].starts_with(b"x\n");
+        self.0 += usize::from(row);
+        row.then_some(at + 2)
+    }
+}
+
+#[derive(Default)]
+struct Counting<'a> {
+    text: &'a [u8],
+    at: usize,
+    /// Lines that it was given, and those that it has read itself.
+    given: usize,
+    read: Vec<&'a [u8]>,
+}
+
+impl Reader<Crosses> for Counting<'_> {
+    fn at(&self) -> usize {
+        self.at
+    }
+
+    fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
+        while self.at < end {
+            let line_end = text::line_end(self.text, self.at);
+            self.read.push(&self.text[self.at..line_end]);
+            self.at = text::after_line_end(self.text, line_end);
+            if self.read.last() == Some(&&b"skip"[..]) {
+                self.at = text::after_line_end(self.text, text::line_end(self.text, self.at));
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Crosses, end: usize) -> bool {
+        self.given += rows.0;
+        self.at = end;
+        true
+    }
+
+    fn is_done(&self) -> bool {
+        false
+    }
+}
+
+fn counted(text: &[u8], chunk: usize, chunks: usize) -> (usize, Vec<&[u8]>) {
+    let mut reader = Counting { text, ..Counting::default() };
+    read_ahead(text, Pace { chunk, chunks }, &Crosses(0), &mut reader).unwrap();
+    assert_eq!(reader.at, text.len());
+    (reader.given, reader.read)
+}
+
+#[test]
+fn a_reader_is_given_all_that_is_plain_and_reads_the_rest() {
+    let text = b"x\nx\na\nx\nb\nc\nx\nx\n";
+    for chunk in 1..20 {
+        for chunks in 1..4 {
+            assert_eq!(counted(text, chunk, chunks), (5, vec![&b"a"[..], b"b", b"c"]));
+        }
+    }
+    assert_eq!(counted(b"", 1, 2), (0, vec![]));
+}
+
+#[test]
+fn what_a_reader_has_passed_over_is_not_given_to_it() {
+    let text = b"x\nskip\nx\nx\nx\n";
+    for chunk in 1..20 {
+        let (given, read) = counted(text, chunk, 2);
+        // The rows of the piece in whose first row it would stand are read.
+        assert_eq!(given + read.len(), 4, "{chunk}");
+        assert_eq!(read[0], b"skip");
+    }
+}
+
+#[test]
+fn a_chunk_that_is_hardly_plain_is_left_to_the_reader() {
+    let few = b"x\na\n".repeat(1000);
+    let (given, read) = counted(&few, 1 << 20, 1);
+    assert_eq!(given + read.len(), 2000);
+    assert!((10..30).contains(&given), "{given}");
+    let often = [&b"x\n".repeat(1000)[..], b"a\n"].concat().repeat(100);
+    assert_eq!(counted(&often, 1 << 20, 1).0, 100_000);
+}
+
+#[test]
+fn small_texts_start_no_thread() {
+    assert_eq!(Pace::of(1000).chunks, 1);
 }

@@ -371,8 +371,8 @@ impl<'a> Reader<'a> {
 }
 
 impl ahead::Reader<Statements> for Reader<'_> {
-    fn at(&mut self) -> &mut usize {
-        &mut self.cursor.at
+    fn at(&self) -> usize {
+        self.cursor.at
     }
 
     fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
@@ -388,7 +388,7 @@ impl ahead::Reader<Statements> for Reader<'_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Statements) -> bool {
+    fn take(&mut self, rows: &Statements, end: usize) -> bool {
         let (faces, corners) = (self.parts.faces.face_count(), self.parts.faces.corner_count());
         let is_within = self.limits.hold(
             self.parts.positions.len() + rows.positions.len(),
@@ -407,6 +407,7 @@ impl ahead::Reader<Statements> for Reader<'_> {
         self.texcoord_uses.append(corners, &rows.texcoord_uses);
         self.normal_uses.append(corners, &rows.normal_uses);
         self.parts.take_faces(&rows.faces, rows.highest);
+        self.cursor.at = end;
         true
     }
 

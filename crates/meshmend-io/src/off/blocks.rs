@@ -71,8 +71,8 @@ impl Vertices<'_, '_> {
 }
 
 impl ahead::Reader<Points> for Vertices<'_, '_> {
-    fn at(&mut self) -> &mut usize {
-        &mut self.reader.at
+    fn at(&self) -> usize {
+        self.reader.at
     }
 
     fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
@@ -82,11 +82,12 @@ impl ahead::Reader<Points> for Vertices<'_, '_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Points) -> bool {
+    fn take(&mut self, rows: &Points, end: usize) -> bool {
         let positions = &mut self.reader.parts.positions;
         let is_within = positions.len() + rows.positions.len() <= self.count;
         if is_within {
             positions.extend_from_slice(&rows.positions);
+            self.reader.at = end;
         }
         is_within
     }
@@ -129,8 +130,8 @@ impl Faces<'_, '_> {
 }
 
 impl ahead::Reader<Polygons> for Faces<'_, '_> {
-    fn at(&mut self) -> &mut usize {
-        &mut self.reader.at
+    fn at(&self) -> usize {
+        self.reader.at
     }
 
     fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
@@ -140,13 +141,14 @@ impl ahead::Reader<Polygons> for Faces<'_, '_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Polygons) -> bool {
+    fn take(&mut self, rows: &Polygons, end: usize) -> bool {
         let faces = &self.reader.parts.faces;
         let corners = (faces.corner_count() + rows.faces.corner_count()) as u64;
         let is_within = faces.face_count() + rows.faces.face_count() <= self.count
             && corners <= self.reader.limits.max_corners;
         if is_within {
             self.reader.parts.take_faces(&rows.faces, rows.highest);
+            self.reader.at = end;
         }
         is_within
     }

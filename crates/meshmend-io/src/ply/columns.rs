@@ -42,6 +42,29 @@ impl Columns {
             (_, values) => data.push(property.item, values),
         }
     }
+
+    /// Appends rows of numbers, all of them to columns that hold numbers, in the order of the columns.
+    pub(super) fn append(&mut self, columns: impl Iterator<Item = usize> + Clone, rows: &[f64]) {
+        let width = columns.clone().count();
+        for (offset, column) in columns.enumerate() {
+            extend(&mut self.values[column], rows.iter().skip(offset).step_by(width).copied());
+        }
+    }
+}
+
+/// Appends numbers that are all of the values' type.
+fn extend(values: &mut Values, numbers: impl Iterator<Item = f64>) {
+    match values {
+        Values::I8(v) => v.extend(numbers.map(|x| x as i8)),
+        Values::U8(v) => v.extend(numbers.map(|x| x as u8)),
+        Values::I16(v) => v.extend(numbers.map(|x| x as i16)),
+        Values::U16(v) => v.extend(numbers.map(|x| x as u16)),
+        Values::I32(v) => v.extend(numbers.map(|x| x as i32)),
+        Values::U32(v) => v.extend(numbers.map(|x| x as u32)),
+        Values::F32(v) => v.extend(numbers.map(|x| x as f32)),
+        Values::F64(v) => v.extend(numbers),
+        Values::Text(_) | Values::Lists { .. } => {}
+    }
 }
 
 /// Passes over the rows of an element.

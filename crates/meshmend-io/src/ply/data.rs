@@ -5,6 +5,7 @@ use meshmend_core::Values;
 use crate::ReadError;
 use crate::ply::header::Element;
 use crate::ply::scalar::Scalar;
+use crate::ply::table::Table;
 
 /// Values one after the other, each of a type that the header tells.
 pub(super) trait Data {
@@ -34,6 +35,19 @@ pub(super) trait Data {
     /// The rows of an element as one piece, if each row has the same size in bytes.
     fn fixed_rows(&mut self, element: &Element) -> Result<Option<FixedRows<'_>>, ReadError>;
 
+    /// Lets a reader read so many rows; plain ones may be parsed ahead of it.
+    fn each_row(
+        &mut self,
+        count: u64,
+        _plain: Option<Table>,
+        reader: &mut impl RowReader,
+    ) -> Result<(), ReadError>
+    where
+        Self: Sized,
+    {
+        (0..count).try_for_each(|_| reader.row(self))
+    }
+
     /// How many bytes are left that are not blank, and where they begin.
     fn surplus(&self) -> (usize, usize);
 
@@ -58,6 +72,15 @@ pub(super) trait Data {
         let what = format!("{} rows of element `{}`", element.count, element.name);
         self.check_room(values, element.count.saturating_mul(least as u64), &what)
     }
+}
+
+/// What reads the rows of an element.
+pub(super) trait RowReader: Send {
+    /// Reads the next row.
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError>;
+
+    /// Takes the next rows, unless they are beyond a limit.
+    fn take(&mut self, rows: &Table) -> bool;
 }
 
 /// Rows of one size in bytes.

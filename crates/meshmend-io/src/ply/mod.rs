@@ -24,7 +24,9 @@ mod layers;
 mod plain;
 mod plan;
 mod read;
+mod rows;
 mod scalar;
+mod table;
 mod write;
 
 use crate::Encoding;

@@ -1,11 +1,13 @@
-//! Values as text: words between blanks, wherever the lines end.
+//! Values as text: words between blanks, wherever the lines end. Rows with a line each are parsed ahead.
 
 use meshmend_core::Values;
 
 use crate::ReadError;
-use crate::ply::data::{Data, FixedRows};
+use crate::ahead::{self, Reader, read_ahead};
+use crate::ply::data::{Data, FixedRows, RowReader};
 use crate::ply::header::Element;
 use crate::ply::scalar::Scalar;
+use crate::ply::table::Table;
 use crate::read::Source;
 use crate::text::{self, is_space};
 
@@ -165,9 +167,66 @@ impl Data for Plain<'_> {
         Ok(None)
     }
 
+    fn each_row(
+        &mut self,
+        count: u64,
+        plain: Option<Table>,
+        reader: &mut impl RowReader,
+    ) -> Result<(), ReadError> {
+        let source = self.source;
+        let mut rows = PlainRows { next: self.at, data: self, reader, left: count };
+        match plain {
+            Some(table) => read_ahead(source.bytes, source.pace, &table, &mut rows),
+            None => rows.read_to(source.bytes.len()),
+        }
+    }
+
     fn surplus(&self) -> (usize, usize) {
         let bytes = &self.source.bytes[self.at..];
         let start = bytes.len() - text::trimmed_start(bytes).len();
         (text::trimmed(bytes).len(), self.at + start)
+    }
+}
+
+/// The rows of an element that are yet to be read.
+struct PlainRows<'r, 'a, R> {
+    /// Where the next one begins, or may begin. The values themselves stay at the end of the last one, from which errors
+    /// count.
+    next: usize,
+    data: &'r mut Plain<'a>,
+    reader: &'r mut R,
+    left: u64,
+}
+
+impl<R: RowReader> ahead::Reader<Table> for PlainRows<'_, '_, R> {
+    fn at(&self) -> usize {
+        self.next
+    }
+
+    fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
+        let bytes = self.data.source.bytes;
+        while self.left > 0 {
+            self.next = text::skip_space(bytes, self.data.at, end);
+            if (end..bytes.len()).contains(&self.next) {
+                break;
+            }
+            self.reader.row(self.data)?;
+            self.left -= 1;
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Table, end: usize) -> bool {
+        let is_taken = rows.rows as u64 <= self.left && self.reader.take(rows);
+        if is_taken {
+            self.left -= rows.rows as u64;
+            let spaces = self.data.source.bytes[..end].iter().rev().take_while(|&&b| is_space(b)).count();
+            (self.data.at, self.next) = (end - spaces, end);
+        }
+        is_taken
+    }
+
+    fn is_done(&self) -> bool {
+        self.left == 0
     }
 }

@@ -9,6 +9,8 @@ use crate::ply::data::Data;
 use crate::ply::header::{self, Element, Form, Header};
 use crate::ply::interpret::{Rows, face_layers, vertex_layers};
 use crate::ply::plain::Plain;
+use crate::ply::rows::{FaceRows, VertexRows};
+use crate::ply::table::Table;
 use crate::read::{Parsed, Source};
 use crate::{Limits, NoteKind, Place, ReadError};
 
@@ -106,30 +108,12 @@ impl<'a> Reader<'a> {
                 rows.extend(&mut columns.values[column], offsets[column]);
             }
         } else {
-            self.vertex_rows(element, axes, &mut columns, data)?;
+            let positions = &mut self.parts.positions;
+            let mut reader = VertexRows { element, axes, columns: &mut columns, positions };
+            data.each_row(element.count, Table::of_vertices(element, axes), &mut reader)?;
         }
         let is_taken = (0..element.properties.len()).map(|column| axes.contains(&column)).collect();
         self.vertices = Some(Rows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
-        Ok(())
-    }
-
-    fn vertex_rows(
-        &mut self,
-        element: &Element,
-        axes: [usize; 3],
-        columns: &mut Columns,
-        data: &mut impl Data,
-    ) -> Result<(), ReadError> {
-        for _ in 0..element.count {
-            let mut point = [0.0; 3];
-            for (column, property) in element.properties.iter().enumerate() {
-                match axes.iter().position(|&axis| axis == column) {
-                    Some(axis) => point[axis] = data.number(property.item)?,
-                    None => columns.read(element, column, data)?,
-                }
-            }
-            self.parts.positions.push(point);
-        }
         Ok(())
     }
 
@@ -145,45 +129,16 @@ impl<'a> Reader<'a> {
         let first = self.parts.faces.face_count();
         // Only lists beside the indices can be corner layers, which need to know whose corners are whose.
         let has_lists = element.properties.iter().filter(|property| property.length.is_some()).count() > 1;
-        let mut corner_starts = Vec::new();
-        for _ in 0..element.count {
-            if has_lists {
-                corner_starts.push(self.parts.faces.corner_count() as u32);
-            }
-            for column in 0..element.properties.len() {
-                if column == list {
-                    self.face(&element.properties[column], data)?;
-                } else {
-                    columns.read(element, column, data)?;
-                }
-            }
-        }
+        let (source, limits, parts) = (self.source, self.limits, &mut self.parts);
+        let corner_starts = has_lists.then(Vec::new);
+        let mut reader =
+            FaceRows { source, limits, element, list, columns: &mut columns, parts, corner_starts };
+        data.each_row(element.count, Table::of_faces(element, list), &mut reader)?;
+        let mut corner_starts = reader.corner_starts.unwrap_or_default();
         corner_starts.push(self.parts.faces.corner_count() as u32);
         let is_taken = (0..element.properties.len()).map(|column| column == list).collect();
         self.faces = Some(Rows { element, columns, is_taken, first, corner_starts });
         Ok(())
-    }
-
-    #[inline]
-    fn face(&mut self, property: &header::Property, data: &mut impl Data) -> Result<(), ReadError> {
-        let length = property.length.unwrap_or(property.item);
-        let count = data.length(length, property.item)?;
-        let corners = self.parts.faces.corner_count() as u64 + count as u64;
-        self.source.limited("corners", corners, self.limits.max_corners)?;
-        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
-        let mut wrong = None;
-        data.indices(property.item, count, |index, at| match u32::try_from(index) {
-            Ok(index) => {
-                highest.see(index, at);
-                faces.push_corner(VertexId(index));
-            }
-            Err(_) => wrong = wrong.or(Some((index, at))),
-        })?;
-        faces.end_face();
-        match wrong {
-            None => Ok(()),
-            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
-        }
     }
 
     /// Triangle strips: each vertex after the first two makes a triangle with the two before it, every second

@@ -216,8 +216,8 @@ impl<'a> Reader<'a> {
 }
 
 impl ahead::Reader<Facets> for Reader<'_> {
-    fn at(&mut self) -> &mut usize {
-        &mut self.at
+    fn at(&self) -> usize {
+        self.at
     }
 
     fn read_to(&mut self, end: usize) -> Result<(), ReadError> {
@@ -232,7 +232,7 @@ impl ahead::Reader<Facets> for Reader<'_> {
         }
     }
 
-    fn take(&mut self, rows: &Facets) -> bool {
+    fn take(&mut self, rows: &Facets, end: usize) -> bool {
         let (faces, vertices) = (self.parts.faces.face_count(), self.parts.positions.len());
         let all = vertices + rows.positions.len();
         let is_within = self.limits.hold(all, faces + rows.positions.len() / 3, all);
@@ -243,6 +243,7 @@ impl ahead::Reader<Facets> for Reader<'_> {
         (vertices as u32..all as u32).step_by(3).for_each(|first| {
             self.parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
         });
+        self.at = end;
         true
     }
 

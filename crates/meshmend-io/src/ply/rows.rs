@@ -1,0 +1,106 @@
+//! The rows of vertices and faces, one by one or as tables of plain ones.
+
+use meshmend_core::VertexId;
+
+use crate::assemble::Parts;
+use crate::ply::columns::Columns;
+use crate::ply::data::{Data, RowReader};
+use crate::ply::header::Element;
+use crate::ply::table::Table;
+use crate::read::Source;
+use crate::{Limits, ReadError};
+
+/// Reads vertices.
+pub(super) struct VertexRows<'r> {
+    pub(super) element: &'r Element,
+    /// Which properties are the coordinates.
+    pub(super) axes: [usize; 3],
+    pub(super) columns: &'r mut Columns,
+    pub(super) positions: &'r mut Vec<[f64; 3]>,
+}
+
+impl RowReader for VertexRows<'_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        let mut point = [0.0; 3];
+        for (column, property) in self.element.properties.iter().enumerate() {
+            match self.axes.iter().position(|&axis| axis == column) {
+                Some(axis) => point[axis] = data.number(property.item)?,
+                None => self.columns.read(self.element, column, data)?,
+            }
+        }
+        self.positions.push(point);
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Table) -> bool {
+        self.positions.extend_from_slice(&rows.positions);
+        let others = (0..self.element.properties.len()).filter(|column| !self.axes.contains(column));
+        self.columns.append(others, &rows.others);
+        true
+    }
+}
+
+/// Reads faces.
+pub(super) struct FaceRows<'r, 'a> {
+    pub(super) source: &'r Source<'a>,
+    pub(super) limits: &'r Limits,
+    pub(super) element: &'r Element,
+    /// Which property is the list of indices.
+    pub(super) list: usize,
+    pub(super) columns: &'r mut Columns,
+    pub(super) parts: &'r mut Parts,
+    /// The first corner of each face, if it is to be known.
+    pub(super) corner_starts: Option<Vec<u32>>,
+}
+
+impl RowReader for FaceRows<'_, '_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        if let Some(starts) = &mut self.corner_starts {
+            starts.push(self.parts.faces.corner_count() as u32);
+        }
+        for column in 0..self.element.properties.len() {
+            if column == self.list {
+                self.face(data)?;
+            } else {
+                self.columns.read(self.element, column, data)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Table) -> bool {
+        let corners = (self.parts.faces.corner_count() + rows.faces.corner_count()) as u64;
+        if corners > self.limits.max_corners {
+            return false;
+        }
+        self.parts.take_faces(&rows.faces, rows.highest);
+        let others = (0..self.element.properties.len()).filter(|&column| column != self.list);
+        self.columns.append(others, &rows.others);
+        true
+    }
+}
+
+impl FaceRows<'_, '_> {
+    #[inline]
+    fn face(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        let property = &self.element.properties[self.list];
+        let length = property.length.unwrap_or(property.item);
+        let count = data.length(length, property.item)?;
+        let corners = self.parts.faces.corner_count() as u64 + count as u64;
+        self.source.limited("corners", corners, self.limits.max_corners)?;
+        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
+        let mut wrong = None;
+        data.indices(property.item, count, |index, at| match u32::try_from(index) {
+            Ok(index) => {
+                highest.see(index, at);
+                faces.push_corner(VertexId(index));
+            }
+            Err(_) => wrong = wrong.or(Some((index, at))),
+        })?;
+        faces.end_face();
+        match wrong {
+            None => Ok(()),
+            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
+        }
+    }
+}
