@@ -2,9 +2,7 @@
 //!
 //! What is not plain has no value here, be it wrong or only rare: another reader will say what it is.
 
-use fast_float2::FastFloat;
-
-use crate::text::{self, is_blank, is_line_end, is_space};
+use crate::text::{self, Real, is_blank, is_line_end, is_space};
 
 /// Goes through the words of a line.
 pub(crate) struct Line<'a> {
@@ -61,7 +59,7 @@ impl<'a> Line<'a> {
 
     /// The next word as a number with or without a fraction.
     #[inline]
-    pub(crate) fn real<T: FastFloat + From<f32>>(&mut self) -> Option<T> {
+    pub(crate) fn real<T: Real>(&mut self) -> Option<T> {
         if !self.has_more() {
             return None;
         }
@@ -72,7 +70,7 @@ impl<'a> Line<'a> {
 
     /// The next three words as numbers.
     #[inline]
-    pub(crate) fn point<T: FastFloat + From<f32>>(&mut self) -> Option<[T; 3]> {
+    pub(crate) fn point<T: Real>(&mut self) -> Option<[T; 3]> {
         Some([self.real()?, self.real()?, self.real()?])
     }
 

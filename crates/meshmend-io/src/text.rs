@@ -108,21 +108,51 @@ pub(crate) fn shown(bytes: &[u8]) -> String {
     printable.collect::<String>() + ellipsis
 }
 
+/// The types of numbers with a fraction.
+pub(crate) trait Real: FastFloat + From<f32> {
+    /// The number nearest to what the text says, of which this is the nearest double, if that tells.
+    fn nearest(double: f64) -> Option<Self>;
+}
+
+impl Real for f64 {
+    #[inline]
+    fn nearest(double: f64) -> Option<f64> {
+        Some(double)
+    }
+}
+
+impl Real for f32 {
+    /// A double does not tell when it is halfway between two single numbers: what the text says may be on either side.
+    /// Most texts of single numbers have too many digits to be read as such fast, and few enough for a double.
+    #[inline]
+    fn nearest(double: f64) -> Option<f32> {
+        const SURPLUS_BITS: u64 = (1 << 29) - 1;
+        const HALF: u64 = 1 << 28;
+        let is_normal = double.abs() >= f64::from(f32::MIN_POSITIVE) || double == 0.0;
+        (is_normal && double.to_bits() & SURPLUS_BITS != HALF).then_some(double as f32)
+    }
+}
+
 /// A number with a fraction at the start of some bytes, and how long it is. What ends it is for the caller to
 /// check; spellings of NaN and infinity of several run-time libraries are known.
 #[inline]
-pub(crate) fn real<T: FastFloat + From<f32>>(bytes: &[u8]) -> Option<(T, usize)> {
-    match fast_float2::parse_partial::<T, _>(bytes) {
-        Ok((value, length)) if bytes.get(length).is_none_or(|&next| !matches!(next, b'#' | b'(' | b'.')) => {
-            Some((value, length))
+pub(crate) fn real<T: Real>(bytes: &[u8]) -> Option<(T, usize)> {
+    match fast_float2::parse_partial::<f64, _>(bytes) {
+        Ok((double, length)) if bytes.get(length).is_none_or(|&next| !matches!(next, b'#' | b'(' | b'.')) => {
+            T::nearest(double).map(|value| (value, length)).or_else(|| plain_real(bytes))
         }
         _ => odd_real(bytes),
     }
 }
 
+#[cold]
+fn plain_real<T: Real>(bytes: &[u8]) -> Option<(T, usize)> {
+    fast_float2::parse_partial::<T, _>(bytes).ok()
+}
+
 /// `-nan(ind)`, `1.#INF`, `-1.#IND00` and their like.
 #[cold]
-fn odd_real<T: FastFloat + From<f32>>(bytes: &[u8]) -> Option<(T, usize)> {
+fn odd_real<T: Real>(bytes: &[u8]) -> Option<(T, usize)> {
     let word = word(bytes, 0);
     let (sign, rest) = match word.split_first() {
         Some((b'-', rest)) => (-1.0_f32, rest),
@@ -204,6 +234,42 @@ mod tests {
     fn text_is_rounded_once_to_its_type() {
         // Halfway between two single numbers in double precision, but not as written.
         assert_eq!(real::<f32>(b"1.00000005960464477540"), Some((1.0000001, 22)));
+    }
+
+    #[test]
+    fn single_numbers_are_those_nearest_to_the_text() {
+        let direct = |text: &str| {
+            let parsed: f32 = text.parse().unwrap();
+            let (read, length) = real::<f32>(text.as_bytes()).unwrap();
+            assert_eq!((read.to_bits(), length), (parsed.to_bits(), text.len()), "{text}");
+        };
+        let mut bits = 1_u32;
+        for _ in 0..20_000 {
+            bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let (value, above) = (f32::from_bits(bits), f32::from_bits(bits.wrapping_add(1)));
+            if !value.is_finite() || !above.is_finite() {
+                continue;
+            }
+            // The number, and what is halfway to the next one, less, and more than that.
+            let half = f64::midpoint(f64::from(value), f64::from(above));
+            direct(&format!("{value:e}"));
+            direct(&format!("{half:e}"));
+            direct(&format!("{:e}", half.next_down()));
+            direct(&format!("{:.20e}", half.next_up()));
+        }
+        for text in [
+            "3.4028235e38",
+            "3.4028235677973366e38",
+            "3.5e38",
+            "-1e300",
+            "1e-45",
+            "7e-46",
+            "1e-60",
+            "-0",
+            "1e999",
+        ] {
+            direct(text);
+        }
     }
 
     #[test]

@@ -45,7 +45,7 @@ impl<'a> Plain<'a> {
     }
 
     #[inline]
-    fn real<T: fast_float2::FastFloat + From<f32>>(&mut self) -> Result<T, ReadError> {
+    fn real<T: text::Real>(&mut self) -> Result<T, ReadError> {
         let bytes = self.next()?;
         self.passed(bytes, text::real::<T>(bytes)).ok_or_else(|| self.not("a number"))
     }
