@@ -113,7 +113,7 @@ fn limits_of(format: Format, text: &str) -> Vec<Limits> {
 
 /// Texts of every oddity, small ones in tiny chunks and larger ones in small chunks.
 fn assert_all_as_alone(format: Format, text: impl Fn(&mut Random, usize, Oddity) -> String) {
-    let (small, large) = if cfg!(miri) { (1, 0) } else { (120, 8) };
+    let (small, large) = (120, 8);
     let mut random = Random(1);
     for oddity in ODDITIES {
         for _ in 0..small {
@@ -172,6 +172,7 @@ fn obj(random: &mut Random, lines: usize, oddity: Oddity) -> String {
     let mut forms = ["", "/1", "//1", "/2/1"][random.below(4)];
     let mut all = vec!["v 0 0 0".to_owned(), "v 1 0 0".to_owned(), "v 0 1 0".to_owned()];
     let mut vertices = 3;
+    let colored = [3, 3, 6, 7][random.below(4)];
     for line in 0..lines {
         let before = random.of(&["", "", "", " ", "\t"]);
         let after = random.of(&["", "", "", " ", "\t "]);
@@ -180,7 +181,8 @@ fn obj(random: &mut Random, lines: usize, oddity: Oddity) -> String {
         }
         let plain = if line % 3 == 0 {
             vertices += 1;
-            format!("v {}", random.numbers(3))
+            let count = [3, colored][random.below(2)];
+            format!("v {}", random.numbers(count))
         } else if random.one_in(5) {
             let count = [2, 2, 2, 3][random.below(4)];
             if random.one_in(2) {
@@ -355,7 +357,7 @@ fn ply(random: &mut Random, lines: usize, oddity: Oddity) -> String {
         writeln!(head, "property {scalar} {name}").unwrap();
     }
     write!(head, "property {} y\nproperty {} z\nelement face {}\n", axes[0], axes[1], announced[1]).unwrap();
-    write!(head, "property list uchar {index} vertex_indices\n").unwrap();
+    writeln!(head, "property list uchar {index} vertex_indices").unwrap();
     for (name, scalar) in ["p", "q", "r"].iter().zip(&beside) {
         writeln!(head, "property {scalar} {name}").unwrap();
     }

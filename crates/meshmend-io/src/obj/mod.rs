@@ -15,10 +15,11 @@
 //! a line continues it (not a comment). Lines end with LF, CR LF or CR.
 
 mod cursor;
+mod finish;
 mod names;
-mod plain;
 mod pools;
 mod read;
+mod statements;
 mod write;
 
 use crate::Encoding;

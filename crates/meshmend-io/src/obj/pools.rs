@@ -68,6 +68,25 @@ impl Colors {
         self.values.push(value);
     }
 
+    /// Appends the colours of later vertices, the first of which is this one.
+    pub(super) fn append(&mut self, vertex: usize, later: &Colors) {
+        if !later.values.is_empty() {
+            self.width = self.width.max(later.width);
+            self.uses.resize(vertex, NO_VALUE);
+            let first = self.values.len() as u32;
+            let shifted = |&value: &u32| if value == NO_VALUE { NO_VALUE } else { first + value };
+            self.uses.extend(later.uses.iter().map(shifted));
+            self.values.extend_from_slice(&later.values);
+        }
+    }
+
+    /// Forgets all colours, and keeps the memory for others.
+    pub(super) fn clear(&mut self) {
+        self.width = 0;
+        self.values.clear();
+        self.uses.clear();
+    }
+
     pub(super) fn layer(mut self, vertices: usize) -> Option<Layer> {
         let width = self.width;
         let values = self.values.iter().flat_map(|value| &value[..width]).copied().collect();

@@ -1,16 +1,16 @@
 //! The OBJ reader: one pass over the bytes, without a copy of any line. Plain statements are parsed ahead of it.
 
-use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Values, VertexId};
+use meshmend_core::{NO_VALUE, VertexId};
 
 use crate::ahead::{self, read_ahead};
 use crate::assemble::{Parts, Uses, no_such_vertex};
 use crate::obj::cursor::{COLUMNS, Cursor};
 use crate::obj::names::{KINDS, Runs};
-use crate::obj::plain::Statements;
 use crate::obj::pools::{Colors, Pool};
+use crate::obj::statements::Statements;
 use crate::read::{Parsed, Source};
 use crate::text::{self, is_blank, is_line_end};
-use crate::{Limits, NoteKind, Place, ReadError};
+use crate::{Limits, NoteKind, ReadError};
 
 /// Content is taken for OBJ when its first statement that is no comment is one that OBJ files begin with.
 pub(super) fn sniff(bytes: &[u8]) -> bool {
@@ -27,20 +27,20 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
     reader.finish()
 }
 
-struct Reader<'a> {
-    source: &'a Source<'a>,
-    limits: &'a Limits,
-    cursor: Cursor<'a>,
+pub(super) struct Reader<'a> {
+    pub(super) source: &'a Source<'a>,
+    pub(super) limits: &'a Limits,
+    pub(super) cursor: Cursor<'a>,
     /// Whether a statement, or a comment, was understood.
-    is_obj: bool,
-    parts: Parts,
-    weights: Option<Vec<f64>>,
-    colors: Colors,
-    texcoords: Pool,
-    normals: Pool,
-    texcoord_uses: Uses,
-    normal_uses: Uses,
-    names: [Runs<'a>; KINDS.len()],
+    pub(super) is_obj: bool,
+    pub(super) parts: Parts,
+    pub(super) weights: Option<Vec<f64>>,
+    pub(super) colors: Colors,
+    pub(super) texcoords: Pool,
+    pub(super) normals: Pool,
+    pub(super) texcoord_uses: Uses,
+    pub(super) normal_uses: Uses,
+    pub(super) names: [Runs<'a>; KINDS.len()],
 }
 
 impl<'a> Reader<'a> {
@@ -291,7 +291,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn note_out_of_range(&mut self, count: u64, start: usize) {
+    pub(super) fn note_out_of_range(&mut self, count: u64, start: usize) {
         let source = self.source;
         let message = "texture or normal indices that do not exist; the corners have no such value";
         self.parts.notes.add_many(NoteKind::AttributeOutOfRange, message, count, || source.line(start));
@@ -300,73 +300,6 @@ impl<'a> Reader<'a> {
     fn note_surplus(&mut self, message: &str, start: usize) {
         let source = self.source;
         self.parts.notes.add(NoteKind::SurplusColumns, message, || source.line(start));
-    }
-
-    fn finish(mut self) -> Result<Parsed, ReadError> {
-        if !self.is_obj {
-            return Err(self.source.malformed(Place::Line(1), "no statement of an OBJ file"));
-        }
-        self.vertex_layers();
-        self.corner_layers();
-        let faces = self.parts.faces.face_count();
-        self.note_unused_names();
-        let names = std::mem::take(&mut self.names);
-        self.parts
-            .layers
-            .extend(names.into_iter().zip(&KINDS).filter_map(|(runs, kind)| runs.layer(kind, faces)));
-        let source = self.source;
-        let (mesh, notes) = self.parts.assemble(source, 1, |at| source.line(at))?;
-        Ok(Parsed { mesh, variant: "obj", notes })
-    }
-
-    fn note_unused_names(&mut self) {
-        let source = self.source;
-        for (runs, kind) in self.names.iter().zip(&KINDS) {
-            let Some((count, at)) = runs.unused() else { continue };
-            let message = format!("names of `{}` that no face has were skipped", kind.layer);
-            self.parts.notes.add_many(NoteKind::UnusedName, &message, count, || source.line(at));
-        }
-    }
-
-    fn vertex_layers(&mut self) {
-        let vertices = self.parts.positions.len();
-        if let Some(weights) = self.weights.take() {
-            let values = Values::F64(weights);
-            self.parts.layers.push(Layer::direct("weight", Domain::Vertex, 1, Carry::Interpolate, values));
-        }
-        let colors = std::mem::take(&mut self.colors);
-        self.parts.layers.extend(colors.layer(vertices));
-    }
-
-    fn corner_layers(&mut self) {
-        self.note_mixed_widths();
-        let texcoords = std::mem::take(&mut self.texcoords.values);
-        let normals = std::mem::take(&mut self.normals.values);
-        let texcoord_uses = std::mem::take(&mut self.texcoord_uses);
-        let normal_uses = std::mem::take(&mut self.normal_uses);
-        self.corner_layer("texcoord", self.texcoords.width, texcoords, texcoord_uses);
-        self.corner_layer("normal", 3, normals, normal_uses);
-    }
-
-    fn note_mixed_widths(&mut self) {
-        let message = "texture coordinates of several widths were padded with zeros";
-        self.parts.notes.add_many(NoteKind::MixedWidths, message, self.texcoords.mixed, || Place::File);
-    }
-
-    fn corner_layer(&mut self, name: &str, width: usize, pool: Vec<f64>, uses: Uses) {
-        if uses.is_empty() && pool.is_empty() {
-            return;
-        }
-        let width = width.max(1);
-        let (uses, wrong) = uses.checked(self.parts.faces.corner_count(), pool.len() / width);
-        if let Some((count, at)) = wrong.filter(|&(count, _)| count > 0) {
-            self.note_out_of_range(count, at);
-        }
-        if !pool.is_empty() {
-            let values = Values::F64(pool);
-            let layer = Layer::indexed(name, Domain::Corner, width, Carry::Interpolate, values, uses);
-            self.parts.layers.push(layer);
-        }
     }
 }
 
@@ -399,6 +332,7 @@ impl ahead::Reader<Statements> for Reader<'_> {
             return false;
         }
         self.is_obj = true;
+        self.colors.append(self.parts.positions.len(), &rows.colors);
         self.parts.positions.extend_from_slice(&rows.positions);
         if let Some(weights) = &mut self.weights {
             weights.resize(self.parts.positions.len(), 1.0);

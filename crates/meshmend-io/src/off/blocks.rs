@@ -6,7 +6,7 @@ use meshmend_core::{Carry, Domain, Layer, Values};
 use crate::ReadError;
 use crate::ahead::{self, Pace, read_ahead};
 use crate::off::colors::Colors;
-use crate::off::plain::{Points, Polygons};
+use crate::off::lines::{Points, Polygons};
 use crate::off::read::{Columns, Reader};
 use crate::text;
 

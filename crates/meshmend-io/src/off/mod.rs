@@ -17,7 +17,7 @@
 
 mod blocks;
 mod colors;
-mod plain;
+mod lines;
 mod read;
 mod write;
 

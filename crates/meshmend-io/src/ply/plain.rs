@@ -174,7 +174,7 @@ impl Data for Plain<'_> {
         reader: &mut impl RowReader,
     ) -> Result<(), ReadError> {
         let source = self.source;
-        let mut rows = PlainRows { next: self.at, data: self, reader, left: count };
+        let mut rows = RowsLeft { next: self.at, data: self, reader, left: count };
         match plain {
             Some(table) => read_ahead(source.bytes, source.pace, &table, &mut rows),
             None => rows.read_to(source.bytes.len()),
@@ -189,7 +189,7 @@ impl Data for Plain<'_> {
 }
 
 /// The rows of an element that are yet to be read.
-struct PlainRows<'r, 'a, R> {
+struct RowsLeft<'r, 'a, R> {
     /// Where the next one begins, or may begin. The values themselves stay at the end of the last one, from which errors
     /// count.
     next: usize,
@@ -198,7 +198,7 @@ struct PlainRows<'r, 'a, R> {
     left: u64,
 }
 
-impl<R: RowReader> ahead::Reader<Table> for PlainRows<'_, '_, R> {
+impl<R: RowReader> ahead::Reader<Table> for RowsLeft<'_, '_, R> {
     fn at(&self) -> usize {
         self.next
     }

@@ -1,17 +1,18 @@
-//! Statements as almost all programs write them: `v` with three coordinates, `vt`, `vn`, and `f` whose corners all
-//! name the same things, by positive indices.
+//! Statements as almost all programs write them: `v` with three coordinates and maybe a colour, `vt`, `vn`, and `f`
+//! whose corners all name the same things, by positive indices.
 
 use meshmend_core::{FaceTableBuilder, VertexId};
 
 use crate::ahead::Rows;
 use crate::assemble::{Highest, Uses};
 use crate::line::Line;
-use crate::obj::pools::Pool;
+use crate::obj::pools::{Colors, Pool};
 
 /// What plain statements say.
 #[derive(Default)]
 pub(super) struct Statements {
     pub(super) positions: Vec<[f64; 3]>,
+    pub(super) colors: Colors,
     pub(super) texcoords: Pool,
     pub(super) normals: Pool,
     pub(super) faces: FaceTableBuilder,
@@ -28,6 +29,7 @@ impl Rows for Statements {
 
     fn clear(&mut self) {
         self.positions.clear();
+        self.colors.clear();
         self.texcoords.clear();
         self.normals.clear();
         self.faces.clear();
@@ -40,10 +42,7 @@ impl Rows for Statements {
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
         let mut line = Line::from(text, at);
         if line.accept(b"v") {
-            let point = line.point()?;
-            let end = line.end()?;
-            self.positions.push(point);
-            Some(end)
+            self.vertex(line)
         } else if line.accept(b"f") {
             self.face(line)
         } else if line.accept(b"vn") {
@@ -60,6 +59,20 @@ impl Rows for Statements {
 }
 
 impl Statements {
+    #[inline]
+    fn vertex(&mut self, mut line: Line<'_>) -> Option<usize> {
+        let point = line.point()?;
+        if line.has_more() {
+            let [r, g, b] = line.point()?;
+            let alpha = if line.has_more() { Some(line.real()?) } else { None };
+            line.end()?;
+            let width = if alpha.is_some() { 4 } else { 3 };
+            self.colors.set(self.positions.len(), [r, g, b, alpha.unwrap_or(1.0)], width);
+        }
+        self.positions.push(point);
+        line.end()
+    }
+
     /// One to three numbers, as many as the others have.
     fn texcoord(&mut self, mut line: Line<'_>) -> Option<usize> {
         let (mut numbers, mut count) = ([0.0; 3], 0);
