@@ -238,8 +238,8 @@ fn off(random: &mut Random, lines: usize, oddity: Oddity) -> String {
         "3 0 1 4294967296",
     ];
     let (vertices, faces) = (3 + lines / 2, lines);
-    let announced =
-        [vertices, faces].map(|count| if random.one_in(8) { count + random.below(3) } else { count });
+    let announced = [vertices, faces]
+        .map(|count| if random.one_in(8) { (count + random.below(5)).saturating_sub(2) } else { count });
     let head = if oddity.rare > 0 { random.of(&["OFF", "COFF", "NOFF", "STOFF"]) } else { "OFF" };
     let beside = match head {
         "COFF" => 4,
@@ -264,6 +264,7 @@ fn off(random: &mut Random, lines: usize, oddity: Oddity) -> String {
             all.push(format!("3 {}{}", corners.join(" "), random.of(&["", "", " "])));
         }
     }
+    all.push(random.of(&["", "", "3 0 1 99 2"]).to_owned());
     random.joined(&all)
 }
 
@@ -349,8 +350,8 @@ fn ply(random: &mut Random, lines: usize, oddity: Oddity) -> String {
     let index = random.of(&["int", "int", "uint", "ushort", "float"]);
     let (vertices, faces) = (3 + lines / 2, lines);
     let has_lists = random.one_in(oddity.rare);
-    let announced =
-        [vertices, faces].map(|count| if random.one_in(12) { count + random.below(5) - 2 } else { count });
+    let announced = [vertices, faces]
+        .map(|count| if random.one_in(12) { (count + random.below(5)).saturating_sub(2) } else { count });
     let mut head =
         format!("ply\nformat ascii 1.0\nelement vertex {}\nproperty {} x\n", announced[0], axes[0]);
     for (name, scalar) in ["p", "q", "r"].iter().zip(&beside) {
