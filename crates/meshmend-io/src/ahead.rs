@@ -49,8 +49,8 @@ pub(crate) trait Reader<R>: Send {
     /// something that is still missing is an error.
     fn read_to(&mut self, end: usize) -> Result<(), ReadError>;
 
-    /// Takes the rows that come next and goes to their end, or says that it must read them itself.
-    fn take(&mut self, rows: &R, end: usize) -> bool;
+    /// Takes the rows that come next and goes to their end; stays where it is if it must read them itself.
+    fn take(&mut self, rows: &R, end: usize);
 
     /// Whether it has all that it came for, though the text may go on.
     fn is_done(&self) -> bool;
@@ -155,7 +155,6 @@ impl<R: Rows> Wave<R> {
         for piece in self.chunks.iter().flat_map(|chunk| &chunk.pieces) {
             reader.read_to(piece.text.start)?;
             if reader.at() == piece.text.start {
-                // What it does not take it will read on the way to the next piece.
                 reader.take(&piece.rows, piece.text.end);
             }
         }

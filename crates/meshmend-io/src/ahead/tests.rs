@@ -447,10 +447,9 @@ impl Reader<Crosses> for Counting<'_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Crosses, end: usize) -> bool {
+    fn take(&mut self, rows: &Crosses, end: usize) {
         self.given += rows.0;
         self.at = end;
-        true
     }
 
     fn is_done(&self) -> bool {

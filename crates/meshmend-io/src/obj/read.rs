@@ -321,7 +321,7 @@ impl ahead::Reader<Statements> for Reader<'_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Statements, end: usize) -> bool {
+    fn take(&mut self, rows: &Statements, end: usize) {
         let (faces, corners) = (self.parts.faces.face_count(), self.parts.faces.corner_count());
         let is_within = self.limits.hold(
             self.parts.positions.len() + rows.positions.len(),
@@ -329,7 +329,7 @@ impl ahead::Reader<Statements> for Reader<'_> {
             corners + rows.faces.corner_count(),
         );
         if !is_within || !self.texcoords.append(&rows.texcoords) {
-            return false;
+            return;
         }
         self.is_obj = true;
         self.colors.append(self.parts.positions.len(), &rows.colors);
@@ -342,7 +342,6 @@ impl ahead::Reader<Statements> for Reader<'_> {
         self.normal_uses.append(corners, &rows.normal_uses);
         self.parts.take_faces(&rows.faces, rows.highest);
         self.cursor.at = end;
-        true
     }
 
     fn is_done(&self) -> bool {

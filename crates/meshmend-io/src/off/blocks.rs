@@ -82,14 +82,12 @@ impl ahead::Reader<Points> for Vertices<'_, '_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Points, end: usize) -> bool {
+    fn take(&mut self, rows: &Points, end: usize) {
         let positions = &mut self.reader.parts.positions;
-        let is_within = positions.len() + rows.positions.len() <= self.count;
-        if is_within {
+        if positions.len() + rows.positions.len() <= self.count {
             positions.extend_from_slice(&rows.positions);
             self.reader.at = end;
         }
-        is_within
     }
 
     fn is_done(&self) -> bool {
@@ -141,7 +139,7 @@ impl ahead::Reader<Polygons> for Faces<'_, '_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Polygons, end: usize) -> bool {
+    fn take(&mut self, rows: &Polygons, end: usize) {
         let faces = &self.reader.parts.faces;
         let corners = (faces.corner_count() + rows.faces.corner_count()) as u64;
         let is_within = faces.face_count() + rows.faces.face_count() <= self.count
@@ -150,7 +148,6 @@ impl ahead::Reader<Polygons> for Faces<'_, '_> {
             self.reader.parts.take_faces(&rows.faces, rows.highest);
             self.reader.at = end;
         }
-        is_within
     }
 
     fn is_done(&self) -> bool {

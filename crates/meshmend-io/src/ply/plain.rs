@@ -216,14 +216,12 @@ impl<R: RowReader> ahead::Reader<Table> for RowsLeft<'_, '_, R> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Table, end: usize) -> bool {
-        let is_taken = rows.rows as u64 <= self.left && self.reader.take(rows);
-        if is_taken {
+    fn take(&mut self, rows: &Table, end: usize) {
+        if rows.rows as u64 <= self.left && self.reader.take(rows) {
             self.left -= rows.rows as u64;
             let spaces = self.data.source.bytes[..end].iter().rev().take_while(|&&b| is_space(b)).count();
             (self.data.at, self.next) = (end - spaces, end);
         }
-        is_taken
     }
 
     fn is_done(&self) -> bool {

@@ -232,19 +232,18 @@ impl ahead::Reader<Facets> for Reader<'_> {
         }
     }
 
-    fn take(&mut self, rows: &Facets, end: usize) -> bool {
+    fn take(&mut self, rows: &Facets, end: usize) {
         let (faces, vertices) = (self.parts.faces.face_count(), self.parts.positions.len());
         let all = vertices + rows.positions.len();
         let is_within = self.limits.hold(all, faces + rows.positions.len() / 3, all);
         if !is_within || !self.is_in_solid {
-            return false;
+            return;
         }
         self.parts.positions.extend_from_slice(&rows.positions);
         (vertices as u32..all as u32).step_by(3).for_each(|first| {
             self.parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
         });
         self.at = end;
-        true
     }
 
     fn is_done(&self) -> bool {
