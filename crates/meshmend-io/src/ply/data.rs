@@ -36,6 +36,7 @@ pub(super) trait Data {
     fn fixed_rows(&mut self, element: &Element) -> Result<Option<FixedRows<'_>>, ReadError>;
 
     /// Lets a reader read so many rows; plain ones may be parsed ahead of it.
+    #[inline]
     fn each_row(
         &mut self,
         count: u64,
@@ -45,7 +46,10 @@ pub(super) trait Data {
     where
         Self: Sized,
     {
-        (0..count).try_for_each(|_| reader.row(self))
+        for _ in 0..count {
+            reader.row(self)?;
+        }
+        Ok(())
     }
 
     /// How many bytes are left that are not blank, and where they begin.

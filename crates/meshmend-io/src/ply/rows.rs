@@ -5,7 +5,7 @@ use meshmend_core::VertexId;
 use crate::assemble::Parts;
 use crate::ply::columns::Columns;
 use crate::ply::data::{Data, RowReader};
-use crate::ply::header::Element;
+use crate::ply::header::{Element, Property};
 use crate::ply::table::Table;
 use crate::read::Source;
 use crate::{Limits, ReadError};
@@ -54,15 +54,17 @@ pub(super) struct FaceRows<'r, 'a> {
 }
 
 impl RowReader for FaceRows<'_, '_> {
+    #[inline]
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
         if let Some(starts) = &mut self.corner_starts {
             starts.push(self.parts.faces.corner_count() as u32);
         }
-        for column in 0..self.element.properties.len() {
+        let element = self.element;
+        for (column, property) in element.properties.iter().enumerate() {
             if column == self.list {
-                self.face(data)?;
+                self.face(property, data)?;
             } else {
-                self.columns.read(self.element, column, data)?;
+                self.columns.read(element, column, data)?;
             }
         }
         Ok(())
@@ -82,8 +84,7 @@ impl RowReader for FaceRows<'_, '_> {
 
 impl FaceRows<'_, '_> {
     #[inline]
-    fn face(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
-        let property = &self.element.properties[self.list];
+    fn face(&mut self, property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
         let length = property.length.unwrap_or(property.item);
         let count = data.length(length, property.item)?;
         let corners = self.parts.faces.corner_count() as u64 + count as u64;

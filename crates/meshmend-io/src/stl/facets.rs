@@ -26,7 +26,7 @@ impl Rows for Facets {
         Some(end)
     }
 
-    /// The next line that begins with `facet`.
+    /// The next line that begins with `facet`, in letters of any size.
     fn next_row(text: &[u8], at: usize) -> usize {
         let mut next = at;
         loop {
@@ -35,7 +35,7 @@ impl Rows for Facets {
             if start == text.len() {
                 return start;
             }
-            if text::word(text, start) == b"facet" {
+            if text::word(text, start).eq_ignore_ascii_case(b"facet") {
                 return next;
             }
             next = start;
