@@ -56,7 +56,7 @@ pub(super) trait Data {
     fn surplus(&self) -> (usize, usize);
 
     /// The length of a list that comes next, checked against what is left.
-    #[inline]
+    #[inline(always)]
     fn length(&mut self, length: Scalar, item: Scalar) -> Result<usize, ReadError> {
         let at = self.at();
         let count = self.number(length)?;
