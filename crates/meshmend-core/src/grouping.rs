@@ -88,6 +88,50 @@ impl Way {
         })
     }
 
+    /// Puts the item of each record into the slot of its key.
+    pub(crate) fn scatter<T: Copy + Default + Send + Sync>(
+        self,
+        slots: &mut [T],
+        sources: &[impl Records<T>],
+    ) {
+        let bits = range_bits(slots.len());
+        let parted = if self.is_scattered {
+            self.map(sources, |source| Parted::of(slots.len(), source))
+        } else {
+            Vec::new()
+        };
+        // Whole ranges, as many for each thread.
+        let share = slots.len().div_ceil(self.threads << bits).max(1) << bits;
+        let fill = |(place, slots): (usize, &mut [T])| {
+            let first = place * share;
+            let ranges = first >> bits..(first + slots.len()).div_ceil(1 << bits);
+            let mut put = |key: u32, item| {
+                if let Some(slot) = slots.get_mut((key as usize).wrapping_sub(first)) {
+                    *slot = item;
+                }
+            };
+            if !self.is_scattered {
+                return All(sources).for_each(put);
+            }
+            for range in ranges {
+                OfRange { parted: &parted, range }.for_each(&mut put);
+            }
+        };
+        match self.threads {
+            1 => slots.chunks_mut(share).enumerate().for_each(fill),
+            _ => slots.par_chunks_mut(share).enumerate().for_each(fill),
+        }
+    }
+
+    /// Does two things, at the same time where there are threads.
+    pub(crate) fn both<A: Send, B: Send>(
+        self,
+        one: impl FnOnce() -> A + Send,
+        other: impl FnOnce() -> B + Send,
+    ) -> (A, B) {
+        if self.threads == 1 { (one(), other()) } else { rayon::join(one, other) }
+    }
+
     fn map<S: Sync, R: Send>(self, items: &[S], each: impl Fn(&S) -> R + Sync + Send) -> Vec<R> {
         match self.threads {
             1 => items.iter().map(each).collect(),

@@ -48,15 +48,47 @@ pub struct DuplicateFace {
 /// edge in common; a byte an edge and 16 bytes each of those.
 pub fn duplicate_faces<K: Connectivity>(kernel: &K) -> Vec<DuplicateFace> {
     let mut found = Vec::new();
-    let mut cycles = Cycles::default();
+    alike_faces(kernel).iter().for_each(|group| repeats(group, &mut found));
+    found.sort_unstable();
+    found
+}
+
+/// One of several faces with the same cycle of vertices up to rotation and direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct AlikeFace {
+    /// The face.
+    pub face: FaceId,
+    /// Whether it runs the cycle in the greater of its two directions, from the least rotation of each.
+    pub is_reversed: bool,
+}
+
+/// The faces of a complex that have their cycle in common with others, in either direction: by cycle, each group
+/// ascending.
+///
+/// *Cost*: as [`duplicate_faces`].
+pub fn alike_faces<K: Connectivity>(kernel: &K) -> Vec<Vec<AlikeFace>> {
+    let (mut cycles, mut groups) = (Cycles::default(), Vec::new());
     for alike in candidates(kernel).chunk_by(|one, other| one.has_extremes_of(other)) {
         if alike.len() > 1 {
             cycles.fill(kernel, alike);
-            cycles.compare(&mut found);
+            groups.extend(cycles.groups());
         }
     }
-    found.sort_unstable();
-    found
+    groups
+}
+
+/// Adds the faces of a group that repeat an earlier one.
+fn repeats(group: &[AlikeFace], found: &mut Vec<DuplicateFace>) {
+    let mut first = [None::<FaceId>; 2];
+    for &AlikeFace { face, is_reversed } in group {
+        let (own, reverse) = (usize::from(is_reversed), usize::from(!is_reversed));
+        let same = first[own].map(|original| (original, Likeness::Same));
+        let opposite = first[reverse].map(|original| (original, Likeness::Opposite));
+        if let Some((original, likeness)) = same.or(opposite) {
+            found.push(DuplicateFace { face, original, likeness });
+        }
+        first[own] = first[own].or(Some(face));
+    }
 }
 
 /// A face with what all faces like it have in common.
@@ -110,8 +142,7 @@ struct Cycles {
 struct Entry {
     start: usize,
     end: usize,
-    face: FaceId,
-    is_reversed: bool,
+    alike: AlikeFace,
 }
 
 impl Cycles {
@@ -131,28 +162,18 @@ impl Cycles {
                 self.vertices.copy_within(end.., start);
             }
             self.vertices.truncate(end);
-            self.entries.push(Entry { start, end, face, is_reversed });
+            self.entries.push(Entry { start, end, alike: AlikeFace { face, is_reversed } });
         }
         let vertices = &self.vertices;
-        let key = |entry: &Entry| (&vertices[entry.start..entry.end], entry.face);
+        let key = |entry: &Entry| (&vertices[entry.start..entry.end], entry.alike.face);
         self.entries.sort_unstable_by(|one, other| key(one).cmp(&key(other)));
     }
 
-    /// Adds what repeats an earlier face.
-    fn compare(&self, found: &mut Vec<DuplicateFace>) {
+    /// Those with equal cycles, where there are several.
+    fn groups(&self) -> impl Iterator<Item = Vec<AlikeFace>> {
         let cycle = |entry: &Entry| &self.vertices[entry.start..entry.end];
-        for equal in self.entries.chunk_by(|one, other| cycle(one) == cycle(other)) {
-            let mut first = [None::<FaceId>; 2];
-            for &Entry { face, is_reversed, .. } in equal {
-                let (own, reverse) = (usize::from(is_reversed), usize::from(!is_reversed));
-                let same = first[own].map(|original| (original, Likeness::Same));
-                let opposite = first[reverse].map(|original| (original, Likeness::Opposite));
-                if let Some((original, likeness)) = same.or(opposite) {
-                    found.push(DuplicateFace { face, original, likeness });
-                }
-                first[own] = first[own].or(Some(face));
-            }
-        }
+        let equal = self.entries.chunk_by(move |one, other| cycle(one) == cycle(other));
+        equal.filter(|group| group.len() > 1).map(|group| group.iter().map(|entry| entry.alike).collect())
     }
 }
 

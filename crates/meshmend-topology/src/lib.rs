@@ -47,7 +47,7 @@ pub use boundary::{BoundaryLoops, boundary_loops};
 pub use component_kinds::{ComponentFacts, ComponentKind, component_facts, component_kinds};
 pub use components::{Components, components};
 pub use defect_list::DefectList;
-pub use duplicates::{DuplicateFace, Likeness, duplicate_faces};
+pub use duplicates::{AlikeFace, DuplicateFace, Likeness, alike_faces, duplicate_faces};
 pub use face_shape::{faces_with_repeated_corners, non_simple_faces};
 pub use gluing::{GluingWord, Letter};
 pub use ids::{ComponentId, PatchId};

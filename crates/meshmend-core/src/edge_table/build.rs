@@ -14,7 +14,8 @@ pub(super) fn build(faces: &FaceTable, way: Way) -> EdgeTable {
         way.shares(faces.face_count()).into_iter().map(|range| FaceSides { faces, range }).collect();
     let mut parts: Vec<Part> = way.collect(faces.vertex_count(), &sides);
     number(&mut parts);
-    let corner_edge: Vec<CornerEdges> = way.collect(faces.corner_count(), &parts);
+    let mut corner_edge = vec![EdgeId(0); faces.corner_count()];
+    way.scatter(&mut corner_edge, &parts);
     let edge_count = parts.iter().map(|part| part.ends.len()).sum::<usize>();
     let (mut ends, mut starts, mut edge_sides) = (Vec::new(), Vec::new(), Vec::new());
     for part in parts {
@@ -22,13 +23,11 @@ pub(super) fn build(faces: &FaceTable, way: Way) -> EdgeTable {
         starts.push(part.starts);
         edge_sides.push(part.edge_sides);
     }
-    EdgeTable {
-        ends: joined(ends, edge_count).into(),
-        corner_edge: joined(corner_edge.into_iter().map(|part| part.0).collect(), faces.corner_count())
-            .into(),
-        starts: joined(starts, edge_count + 1),
-        edge_sides: joined(edge_sides, faces.corner_count()),
-    }
+    let (edge_sides, (ends, starts)) = way.both(
+        || joined(edge_sides, faces.corner_count()),
+        || (joined(ends, edge_count), joined(starts, edge_count + 1)),
+    );
+    EdgeTable { ends: ends.into(), corner_edge: corner_edge.into(), starts, edge_sides }
 }
 
 /// A side on its way to its edge, whose smaller vertex is its key.
@@ -154,27 +153,6 @@ impl Records<EdgeId> for Part {
             self.edge_sides[start..end].iter().for_each(|side| visit(side.corner().0, EdgeId::new(edge)));
             start = end;
         }
-    }
-}
-
-/// The edges of a range of corners.
-#[derive(Default)]
-struct CornerEdges(Vec<EdgeId>);
-
-impl Collect<EdgeId> for CornerEdges {
-    fn reserve(&mut self, corners: usize) {
-        self.0.reserve_exact(corners);
-    }
-
-    fn add(&mut self, corners: Range<u32>, edges: &impl Records<EdgeId>) {
-        let first = self.0.len();
-        self.0.resize(first + corners.len(), EdgeId(0));
-        let slots = &mut self.0[first..];
-        edges.for_each(|corner, edge| {
-            if let Some(slot) = slots.get_mut(corner.wrapping_sub(corners.start) as usize) {
-                *slot = edge;
-            }
-        });
     }
 }
 

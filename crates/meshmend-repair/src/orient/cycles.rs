@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use meshmend_core::{Column, Connectivity, FaceId, VertexId, canonical_rotation};
+use meshmend_core::{Column, Connectivity, FaceId};
+use meshmend_topology::{AlikeFace, alike_faces};
 
 const ALONE: u32 = u32::MAX;
 
@@ -16,26 +17,19 @@ pub(crate) struct Cycles {
 impl Cycles {
     /// The groups of two faces and more.
     ///
-    /// *Cost*: linear, and a sort of the faces whose neighbours leave the question open.
+    /// *Cost*: that of [`alike_faces`], and 5 bytes a face.
     pub(crate) fn of<K: Connectivity>(kernel: &K) -> Self {
-        let faces: Vec<FaceId> = kernel.faces().filter(|&f| may_have_a_twin(kernel, f)).collect();
-        let keys: Vec<Key> = faces.iter().map(|&f| Key::of(kernel.face_vertices(f).collect())).collect();
-        let mut order: Vec<usize> = (0..faces.len()).collect();
-        order.sort_by(|&one, &other| keys[one].cycle.cmp(&keys[other].cycle).then(one.cmp(&other)));
         let mut cycles = Cycles {
             group: Column::filled(ALONE, kernel.face_count()),
             runs_backward: Column::filled(false, kernel.face_count()),
             members: Vec::new(),
         };
-        for run in order.chunk_by(|&one, &other| keys[one].cycle == keys[other].cycle) {
-            if run.len() < 2 {
-                continue;
+        for (group, alike) in (0..).zip(alike_faces(kernel)) {
+            for &AlikeFace { face, is_reversed } in &alike {
+                cycles.group[face] = group;
+                cycles.runs_backward[face] = is_reversed;
             }
-            for &place in run {
-                cycles.group[faces[place]] = cycles.members.len() as u32;
-                cycles.runs_backward[faces[place]] = keys[place].is_backward;
-            }
-            cycles.members.push(run.iter().map(|&place| faces[place]).collect());
+            cycles.members.push(alike.into_iter().map(|alike| alike.face).collect());
         }
         cycles
     }
@@ -63,39 +57,6 @@ impl Cycles {
     /// The directed cycle of a face, as a number.
     pub(crate) fn slot(&self, face: FaceId, is_flipped: bool) -> Option<u32> {
         self.group_of(face).map(|group| 2 * group as u32 + u32::from(self.runs_backward(face, is_flipped)))
-    }
-}
-
-/// A face's cycle in the lesser of its two directions, from its least rotation.
-struct Key {
-    cycle: Vec<VertexId>,
-    is_backward: bool,
-}
-
-impl Key {
-    fn of(mut forward: Vec<VertexId>) -> Self {
-        let mut backward: Vec<VertexId> = forward.iter().rev().copied().collect();
-        for cycle in [&mut forward, &mut backward] {
-            let least = canonical_rotation(cycle);
-            cycle.rotate_left(least);
-        }
-        let is_backward = backward < forward;
-        Key { cycle: if is_backward { backward } else { forward }, is_backward }
-    }
-}
-
-/// Whether the edges at a face's first two sides allow another face with the same cycle: it would be at both.
-fn may_have_a_twin<K: Connectivity>(kernel: &K, face: FaceId) -> bool {
-    let mut corners = kernel.face_corners(face);
-    let (Some(one), Some(other)) = (corners.next(), corners.next()) else { return false };
-    let beyond = |corner| {
-        let mut others = kernel.edge_faces(kernel.corner_edge(corner)).filter(|&f| f != face);
-        (others.next(), others.next().is_some())
-    };
-    match (beyond(one), beyond(other)) {
-        ((None, _), _) | (_, (None, _)) => false,
-        ((Some(a), false), (Some(b), false)) => a == b,
-        _ => true,
     }
 }
 
