@@ -13,12 +13,17 @@ pub(super) fn build(faces: &FaceTable, way: Way) -> EdgeTable {
     let sides: Vec<FaceSides<'_>> =
         way.shares(faces.face_count()).into_iter().map(|range| FaceSides { faces, range }).collect();
     let mut parts: Vec<Part> = way.collect(faces.vertex_count(), &sides);
-    number(&mut parts);
+    finish(&mut parts);
     let mut corner_edge = vec![EdgeId(0); faces.corner_count()];
     way.scatter(&mut corner_edge, &parts);
     let edge_count = parts.iter().map(|part| part.ends.len()).sum::<usize>();
     let (mut ends, mut starts, mut edge_sides) = (Vec::new(), Vec::new(), Vec::new());
-    for part in parts {
+    let count = parts.len();
+    for (place, mut part) in parts.into_iter().enumerate() {
+        let first_side = part.before.1;
+        part.starts.iter_mut().for_each(|start| *start += first_side);
+        // The end of the sides is where those of the next part begin.
+        part.starts.truncate(part.ends.len() + usize::from(place + 1 == count));
         ends.push(part.ends);
         starts.push(part.starts);
         edge_sides.push(part.edge_sides);
@@ -75,11 +80,11 @@ impl Records<Side> for FaceSides<'_> {
 #[derive(Default)]
 struct Part {
     ends: Vec<[VertexId; 2]>,
-    /// Where the sides of each edge begin, and in the last part their end.
+    /// Where the sides of each edge begin, and in the end where the last ones end.
     starts: Vec<u32>,
     edge_sides: Vec<EdgeSide>,
     /// How many edges and sides the parts before have.
-    before: (usize, usize),
+    before: (u32, u32),
     /// The sides that are being added as (larger vertex, [`EdgeSide`]), by smaller vertex.
     sides: Groups<u64>,
 }
@@ -123,17 +128,15 @@ impl Part {
     }
 }
 
-/// Tells each part what is before it, when all edges are there.
-fn number(parts: &mut [Part]) {
+/// Ends each part, and tells it what is before it.
+fn finish(parts: &mut [Part]) {
     let mut before = (0, 0);
-    for part in &mut *parts {
+    for part in parts {
+        let sides = part.edge_sides.len() as u32;
         part.sides = Groups::default();
+        part.starts.push(sides);
         part.before = before;
-        part.starts.iter_mut().for_each(|start| *start += before.1 as u32);
-        before = (before.0 + part.ends.len(), before.1 + part.edge_sides.len());
-    }
-    if let Some(last) = parts.last_mut() {
-        last.starts.push(before.1 as u32);
+        before = (before.0 + part.ends.len() as u32, before.1 + sides);
     }
 }
 
@@ -141,17 +144,9 @@ fn number(parts: &mut [Part]) {
 impl Records<EdgeId> for Part {
     #[inline]
     fn for_each(&self, mut visit: impl FnMut(u32, EdgeId)) {
-        let (first_edge, first_side) = self.before;
-        let ends = self
-            .starts
-            .iter()
-            .skip(1)
-            .map(|start| *start as usize - first_side)
-            .chain([self.edge_sides.len()]);
-        let mut start = 0;
-        for (edge, end) in (first_edge..).zip(ends).take(self.ends.len()) {
-            self.edge_sides[start..end].iter().for_each(|side| visit(side.corner().0, EdgeId::new(edge)));
-            start = end;
+        for (edge, bounds) in (self.before.0..).zip(self.starts.windows(2)) {
+            let sides = &self.edge_sides[bounds[0] as usize..bounds[1] as usize];
+            sides.iter().for_each(|side| visit(side.corner().0, EdgeId(edge)));
         }
     }
 }
