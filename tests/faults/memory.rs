@@ -111,3 +111,25 @@ fn an_honest_file_in_a_small_address_space_gives_the_whole_output_or_none() {
     assert_eq!(successes.first(), Some(&false), "the limit is not kept");
     assert_eq!(successes.last(), Some(&true), "the most is not enough");
 }
+
+/// Threads are asked for by their stacks; with stacks of this size none can be started.
+#[test]
+fn where_no_thread_can_be_started_the_output_is_the_same() {
+    let folder = Scratch::new();
+    fs::write(folder.path().join("small.obj"), sheet(3)).unwrap();
+    fs::write(folder.path().join("large.obj"), sheet(300)).unwrap();
+    for input in ["small.obj", "large.obj"] {
+        let [with, without] = ["with.ply", "without.ply"];
+        let repair = |output: &str, stack: &str| {
+            let mut command = Command::new(binary());
+            command.args(["repair", input, "-o", output, "--json"]);
+            wait(command.env("RUST_MIN_STACK", stack).current_dir(folder.path()))
+        };
+        let ended = repair(with, "4194304");
+        assert!(ended.status.success(), "{}", said(&ended));
+        let ended = repair(without, "1000000000000000");
+        assert!(ended.status.success(), "{}", said(&ended));
+        let bytes = |output: &str| fs::read(folder.path().join(output)).unwrap();
+        assert_eq!(bytes(with), bytes(without), "{input}");
+    }
+}

@@ -10,6 +10,7 @@ mod failure;
 mod policies;
 mod progress;
 mod render;
+mod threads;
 mod words;
 
 use std::ffi::OsString;
@@ -21,6 +22,7 @@ pub use crate::failure::Status;
 
 use crate::commands::Command;
 use crate::failure::Failure;
+use crate::threads::Pool;
 
 const EXIT_STATUS: &str = "\
 Exit status:
@@ -35,7 +37,7 @@ Exit status:
 #[derive(Debug, Parser)]
 #[command(name = "meshmend", version, after_help = EXIT_STATUS)]
 struct CommandLine {
-    /// How many threads may work; by default as many as there are processors
+    /// How many threads may work; by default as many as there are processors, and one for small files
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(subcommand)]
@@ -58,7 +60,8 @@ pub fn run(
     console: &mut Console<'_>,
 ) -> Status {
     let outcome = match CommandLine::try_parse_from(arguments) {
-        Ok(line) => with_threads(line.threads, || line.command.run(console)),
+        Ok(line) => Pool::start(line.threads, line.command.inputs())
+            .and_then(|pool| pool.install(|| line.command.run(console))),
         Err(answer) => told(&answer, console),
     };
     outcome.unwrap_or_else(|failure| {
@@ -81,16 +84,6 @@ fn told(answer: &clap::Error, console: &mut Console<'_>) -> Result<Status, Failu
     }
     console.write_styled(&text)?;
     Ok(Status::Done)
-}
-
-/// Does some work on so many threads.
-fn with_threads(
-    threads: Option<u16>,
-    work: impl FnOnce() -> Result<Status, Failure> + Send,
-) -> Result<Status, Failure> {
-    let Some(threads) = threads else { return work() };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build();
-    pool.map_err(|error| Failure::usage(format!("--threads {threads}: {error}")))?.install(work)
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ use crate::words::{self, Welding};
 pub(crate) struct Check {
     /// The mesh files: OBJ, PLY, STL or OFF
     #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
+    pub(super) files: Vec<PathBuf>,
     /// Judge as welded: none, exact, a length, or a percentage of the bounding box's diagonal such as 0.01%
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,

@@ -17,7 +17,7 @@ use crate::words::OutputWords;
 pub(crate) struct Convert {
     /// The file to read
     #[arg(value_name = "IN")]
-    input: PathBuf,
+    pub(super) input: PathBuf,
     /// The file to write; it may be the same
     #[arg(value_name = "OUT")]
     output: PathBuf,

@@ -23,7 +23,7 @@ use crate::words::OutputWords;
 pub(crate) struct Flatten {
     /// The mesh file: OBJ, PLY, STL or OFF
     #[arg(value_name = "IN")]
-    input: PathBuf,
+    pub(super) input: PathBuf,
     /// The file to write: a mesh, or a picture named `.svg`
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,

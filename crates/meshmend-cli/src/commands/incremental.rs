@@ -23,7 +23,7 @@ use crate::words::{self, Welding};
 pub(crate) struct Incremental {
     /// The mesh file: OBJ, PLY, STL or OFF
     #[arg(value_name = "FILE")]
-    file: PathBuf,
+    pub(super) file: PathBuf,
     /// Take the mesh as welded: none, exact, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,

@@ -21,7 +21,7 @@ use crate::words::{self, Welding};
 pub(crate) struct Kernels {
     /// The mesh file
     #[arg(value_name = "FILE")]
-    file: Option<PathBuf>,
+    pub(super) file: Option<PathBuf>,
     /// Look at the mesh as welded: none, exact, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding, requires = "file")]
     weld: Option<Welding>,

@@ -23,7 +23,7 @@ use crate::render;
 pub(crate) struct Loops {
     /// The mesh file: OBJ, PLY, STL or OFF
     #[arg(value_name = "FILE")]
-    file: PathBuf,
+    pub(super) file: PathBuf,
     #[command(flatten)]
     words: LoopWords,
     /// Print one JSON object

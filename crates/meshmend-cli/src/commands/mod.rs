@@ -16,7 +16,8 @@ mod repair;
 
 pub(crate) use kernels::Trial;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::slice;
 
 use clap::Subcommand;
 use meshmend::{ReadFile, ReadOptions};
@@ -43,6 +44,23 @@ pub(crate) enum Command {
 }
 
 impl Command {
+    /// The files that it reads.
+    pub(crate) fn inputs(&self) -> &[PathBuf] {
+        match self {
+            Command::Check(command) => &command.files,
+            Command::Repair(command) => slice::from_ref(&command.input),
+            Command::Convert(command) => slice::from_ref(&command.input),
+            Command::Loops(command) => slice::from_ref(&command.file),
+            Command::Cut(command) => slice::from_ref(&command.input),
+            Command::Render(command) => slice::from_ref(&command.input),
+            Command::Incremental(command) => slice::from_ref(&command.file),
+            #[cfg(feature = "flatten")]
+            Command::Flatten(command) => slice::from_ref(&command.input),
+            Command::Kernels(command) => command.file.as_slice(),
+            Command::Make(_) | Command::Explain(_) | Command::Completions(_) => &[],
+        }
+    }
+
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         match self {
             Command::Check(command) => command.run(console),

@@ -23,7 +23,7 @@ use crate::words::{self, Welding};
 pub(crate) struct Render {
     /// The mesh file: OBJ, PLY, STL or OFF
     #[arg(value_name = "FILE")]
-    input: PathBuf,
+    pub(super) input: PathBuf,
     /// The file to write, named `.svg` or `.png`
     #[arg(short, long, value_name = "PICTURE")]
     output: PathBuf,

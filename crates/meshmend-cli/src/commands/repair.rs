@@ -25,7 +25,7 @@ use crate::words::{self, OutputWords};
 pub(crate) struct Repair {
     /// The mesh file: OBJ, PLY, STL or OFF
     #[arg(value_name = "IN")]
-    input: PathBuf,
+    pub(super) input: PathBuf,
     /// The file to write; it may be the input
     #[arg(short, long, value_name = "OUT", required_unless_present = "dry_run")]
     output: Option<PathBuf>,

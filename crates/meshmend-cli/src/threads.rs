@@ -1,0 +1,47 @@
+//! The threads of a command.
+
+use std::fs;
+use std::path::PathBuf;
+
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+
+use crate::failure::Failure;
+
+/// The work for smaller files is done before many threads have started.
+const LARGE: u64 = 1 << 20;
+
+/// The threads that work, or none but those that the caller has.
+pub(crate) struct Pool(Option<ThreadPool>);
+
+impl Pool {
+    /// Starts so many threads; without a number, as many as the largest of the inputs is worth.
+    ///
+    /// Where none can be started, as in a full address space, the thread that calls does everything, unless a number
+    /// was asked for.
+    pub(crate) fn start(threads: Option<u16>, inputs: &[PathBuf]) -> Result<Self, Failure> {
+        if let Some(threads) = threads {
+            return match started(threads.into()) {
+                Ok(pool) => Ok(Pool(Some(pool))),
+                Err(error) => Err(Failure::usage(format!("--threads {threads}: {error}"))),
+            };
+        }
+        const AS_MANY_AS_PROCESSORS: usize = 0;
+        let is_large = |input: &PathBuf| fs::metadata(input).is_ok_and(|file| file.len() >= LARGE);
+        let pool = started(if inputs.iter().any(is_large) { AS_MANY_AS_PROCESSORS } else { 1 });
+        // That fails only for a thread of another pool, which will do.
+        let alone = |_| ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
+        Ok(Pool(pool.or_else(alone).ok()))
+    }
+
+    /// Does some work on these threads.
+    pub(crate) fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.0 {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+}
+
+fn started(count: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
+    ThreadPoolBuilder::new().num_threads(count).build()
+}
