@@ -10,64 +10,68 @@ use meshmend_core::{Column, VertexId};
 /// The ancestors of each vertex of a forest that grows from its roots.
 #[derive(Clone, Debug)]
 pub(super) struct Ancestors {
+    nodes: Column<VertexId, Node>,
+}
+
+/// Where a vertex stands in its tree.
+#[derive(Clone, Copy, Debug)]
+struct Node {
     /// A root is its own parent.
-    parent: Column<VertexId, VertexId>,
-    jump: Column<VertexId, VertexId>,
-    depth: Column<VertexId, u32>,
+    parent: VertexId,
+    jump: VertexId,
+    depth: u32,
 }
 
 impl Ancestors {
     pub(super) fn new(vertex_count: usize) -> Self {
-        let nothing = Column::filled(VertexId(0), vertex_count);
-        Ancestors { parent: nothing.clone(), jump: nothing, depth: Column::filled(0, vertex_count) }
+        let nothing = Node { parent: VertexId(0), jump: VertexId(0), depth: 0 };
+        Ancestors { nodes: Column::filled(nothing, vertex_count) }
     }
 
     pub(super) fn vertex_count(&self) -> usize {
-        self.depth.len()
+        self.nodes.len()
     }
 
     pub(super) fn add_root(&mut self, root: VertexId) {
-        self.parent[root] = root;
-        self.jump[root] = root;
-        self.depth[root] = 0;
+        self.nodes[root] = Node { parent: root, jump: root, depth: 0 };
     }
 
     /// Hangs a new vertex below one that is there.
     pub(super) fn add_child(&mut self, child: VertexId, parent: VertexId) {
-        let middle = self.jump[parent];
-        let end = self.jump[middle];
-        let is_equal = self.depth[parent] - self.depth[middle] == self.depth[middle] - self.depth[end];
-        self.parent[child] = parent;
-        self.jump[child] = if is_equal { end } else { parent };
-        self.depth[child] = self.depth[parent] + 1;
+        let Node { jump, depth, .. } = self.nodes[parent];
+        let middle = self.nodes[jump];
+        let is_equal = depth - middle.depth == middle.depth - self.depth(middle.jump);
+        let jump = if is_equal { middle.jump } else { parent };
+        self.nodes[child] = Node { parent, jump, depth: depth + 1 };
     }
 
     /// The next vertex towards the root; a root is its own.
     pub(super) fn parent(&self, vertex: VertexId) -> VertexId {
-        self.parent[vertex]
+        self.nodes[vertex].parent
     }
 
     /// How many steps the root is away.
     pub(super) fn depth(&self, vertex: VertexId) -> u32 {
-        self.depth[vertex]
+        self.nodes[vertex].depth
     }
 
     /// The deepest vertex on both ways to the root, for two vertices of one tree.
     pub(super) fn lowest_common(&self, one: VertexId, other: VertexId) -> VertexId {
-        let depth = self.depth[one].min(self.depth[other]);
+        let depth = self.depth(one).min(self.depth(other));
         let (mut one, mut other) = (self.at_depth(one, depth), self.at_depth(other, depth));
         while one != other {
-            let far = [self.jump[one], self.jump[other]];
-            [one, other] = if far[0] == far[1] { [self.parent[one], self.parent[other]] } else { far };
+            let ways = [self.nodes[one], self.nodes[other]];
+            [one, other] =
+                if ways[0].jump == ways[1].jump { ways.map(|way| way.parent) } else { ways.map(|way| way.jump) };
         }
         one
     }
 
     /// The ancestor at a depth not beyond the vertex's own.
     fn at_depth(&self, mut vertex: VertexId, depth: u32) -> VertexId {
-        while self.depth[vertex] > depth {
-            let far = self.jump[vertex];
-            vertex = if self.depth[far] >= depth { far } else { self.parent[vertex] };
+        while self.depth(vertex) > depth {
+            let Node { parent, jump, .. } = self.nodes[vertex];
+            vertex = if self.depth(jump) >= depth { jump } else { parent };
         }
         vertex
     }

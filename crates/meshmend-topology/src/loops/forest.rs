@@ -30,11 +30,12 @@ struct Node {
     distance: f64,
     /// Its first edge; `NONE` for a root and where no root is reached.
     entry: EdgeId,
-    /// Whether there is no shorter one.
-    is_settled: bool,
+    /// Where that edge leads, as far as is known; `SETTLED` when there is no shorter way.
+    next: VertexId,
 }
 
 const NONE: EdgeId = EdgeId(u32::MAX);
+const SETTLED: VertexId = VertexId(u32::MAX);
 
 impl Forest {
     /// Grows the trees of roots in different components.
@@ -42,7 +43,7 @@ impl Forest {
     /// *Cost*: O(n log n); 32 bytes a vertex, and 16 more while it runs.
     pub(super) fn grow<K: Connectivity>(kernel: &K, weights: &Weights<'_>, roots: &[VertexId]) -> Self {
         let count = kernel.vertex_count();
-        let unknown = Node { distance: f64::INFINITY, entry: NONE, is_settled: false };
+        let unknown = Node { distance: f64::INFINITY, entry: NONE, next: VertexId(0) };
         let mut forest = Forest {
             ancestors: Ancestors::new(count),
             nodes: Column::filled(unknown, count),
@@ -54,47 +55,46 @@ impl Forest {
             front.push(0.0, root);
         }
         while let Some(vertex) = front.pop() {
-            if std::mem::replace(&mut forest.nodes[vertex].is_settled, true) {
+            if forest.nodes[vertex].next == SETTLED {
                 continue;
             }
-            forest.settle(kernel, vertex);
+            forest.settle(vertex);
             for corner in kernel.vertex_corners(vertex) {
                 let before = kernel.prev_corner(corner);
                 let steps = [(corner, kernel.corner_target(corner)), (before, kernel.corner_vertex(before))];
                 for (side, neighbour) in steps {
-                    forest.reach(&mut front, kernel.corner_edge(side), [vertex, neighbour], weights);
+                    // Half of the neighbours are settled; their edges are not looked up.
+                    if forest.nodes[neighbour].next != SETTLED {
+                        forest.reach(&mut front, kernel.corner_edge(side), [vertex, neighbour], weights);
+                    }
                 }
             }
         }
         forest
     }
 
-    fn settle<K: Connectivity>(&mut self, kernel: &K, vertex: VertexId) {
+    fn settle(&mut self, vertex: VertexId) {
         self.order.push(vertex);
-        match self.entry(vertex) {
-            None => self.ancestors.add_root(vertex),
-            Some(edge) => {
-                let [low, high] = kernel.edge_ends(edge);
-                self.ancestors.add_child(vertex, if low == vertex { high } else { low });
-            }
+        let node = &mut self.nodes[vertex];
+        let next = std::mem::replace(&mut node.next, SETTLED);
+        if node.entry == NONE {
+            self.ancestors.add_root(vertex);
+        } else {
+            self.ancestors.add_child(vertex, next);
         }
     }
 
-    /// Sees whether an edge is a shorter way, or one as short with a lower edge.
+    /// Sees whether an edge is a shorter way to a vertex that is not settled, or one as short with a lower edge.
     #[inline]
     fn reach(&mut self, front: &mut Front, edge: EdgeId, [from, to]: [VertexId; 2], weights: &Weights<'_>) {
-        let distance = self.nodes[from].distance;
+        let distance = self.nodes[from].distance + weights.of(edge);
         let node = &mut self.nodes[to];
-        if node.is_settled {
+        if distance < node.distance {
+            front.push(distance, to);
+        } else if distance > node.distance || edge >= node.entry {
             return;
         }
-        let distance = distance + weights.of(edge);
-        if distance < node.distance {
-            (node.distance, node.entry) = (distance, edge);
-            front.push(distance, to);
-        } else if distance == node.distance && edge < node.entry {
-            node.entry = edge;
-        }
+        *node = Node { distance, entry: edge, next: from };
     }
 
     /// The edge from a vertex towards its root; nothing for a root.
