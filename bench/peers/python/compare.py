@@ -12,7 +12,6 @@ import sys
 
 HERE = pathlib.Path(__file__).parent
 BENCH = HERE.parent.parent
-RUNS = 3
 # A process may take this long beside the two minutes that an operation may take.
 PATIENCE = 600
 # In the order of how often they are the best.
@@ -25,11 +24,13 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True)
     parser.add_argument("--faces", type=int, required=True)
     parser.add_argument("--order", required=True)
-    parser.add_argument("operations", nargs="*")
+    parser.add_argument("--runs", required=True)
+    parser.add_argument("--programs", nargs="+", default=[*MODULES, "crates", "cgal"])
+    parser.add_argument("--operations", nargs="*")
     options = parser.parse_args()
     known = json.loads((options.work / "inputs" / f"known-{options.order}-{options.faces}.json").read_text())
     missing = (options.work / "missing").read_text().splitlines()
-    peers, absent = programs(options.work)
+    peers, absent = programs(options.work, options.programs)
     targets = json.loads((BENCH / "targets.json").read_text())
     rows = []
     for operation in options.operations or [*targets, *sorted(known.keys() - targets)]:
@@ -37,12 +38,12 @@ def main():
         rows.append(ours(operation, facts, options))
         print(line(rows[-1]), file=sys.stderr)
         for command in peers.get(operation, []):
-            rows.append(theirs(operation, facts, command, options.work))
+            rows.append(theirs(operation, facts, command, options))
             print(line(rows[-1]), file=sys.stderr)
     write(rows, targets, missing + absent, options)
 
 
-def programs(work):
+def programs(work, wanted):
     """For each operation the commands that do it, the operation and its arguments to follow; and who is missing."""
     peers, absent = {}, []
 
@@ -50,11 +51,11 @@ def programs(work):
         peers.setdefault(operation, []).append(command)
 
     crates, cgal = work / "crates" / "release" / "peer-crates", work / "cgal"
-    if crates.exists():
+    if crates.exists() and "crates" in wanted:
         for pair in subprocess.run([crates], capture_output=True, text=True, check=True).stdout.splitlines():
             name, operation = pair.split()
             add([crates, name], operation)
-    for name in MODULES:
+    for name in filter(wanted.__contains__, MODULES):
         try:
             operations = importlib.import_module(f"peer_{name}").OPERATIONS
         except ImportError as error:
@@ -62,14 +63,14 @@ def programs(work):
             continue
         for operation in operations:
             add([sys.executable, HERE / "measure.py", f"peer_{name}"], operation)
-    if cgal.exists():
+    if cgal.exists() and "cgal" in wanted:
         for operation in subprocess.run([cgal], capture_output=True, text=True, check=True).stdout.split():
             add([cgal], operation)
     return peers, absent
 
 
 def ours(operation, facts, options):
-    command = [options.program, "run", operation, "--json", "--runs", str(RUNS)]
+    command = [options.program, "run", operation, "--json", "--runs", options.runs]
     command += ["--faces", str(options.faces), "--order", options.order, "--inputs", options.work / "inputs"]
     said = subprocess.run(command, capture_output=True, text=True)
     row = {"operation": operation, "who": "meshmend", "ours": True}
@@ -80,11 +81,11 @@ def ours(operation, facts, options):
     return row | judged(found["figures"], facts, times, found["bytes_a_face"] * facts["faces"])
 
 
-def theirs(operation, facts, command, work):
-    scratch = work / "scratch"
+def theirs(operation, facts, command, options):
+    scratch = options.work / "scratch"
     scratch.mkdir(exist_ok=True)
     row = {"operation": operation, "who": name(command), "ours": False}
-    arguments = [operation, facts["file"], scratch, str(RUNS)]
+    arguments = [operation, facts["file"], scratch, options.runs]
     try:
         said = subprocess.run(command + arguments, capture_output=True, text=True, timeout=PATIENCE)
     except subprocess.TimeoutExpired:
@@ -136,7 +137,8 @@ def write(rows, targets, missing, options):
     page = [
         f"# {day}: {options.faces} faces, {options.order} order",
         "",
-        f"{machine()}. Million input faces per second of min(processor time, time by the clock), best of {RUNS} runs;",
+        f"{machine()}. Million input faces per second of min(processor time, time by the clock), the best of "
+        f"{options.runs};",
         "B/f is the most memory that was taken beyond the input, in bytes for each input face. How it is measured and "
         "what is fair is said in [bench/README.md](../README.md).",
         "",

@@ -51,8 +51,8 @@ impl Way {
         let is_large = faces.corner_count() >= LARGE;
         let threads = if is_large { rayon::current_num_threads().min(MOST_THREADS) } else { 1 };
         // Each thread has a cache of its own, but also looks at all records, unless they are parted.
-        let is_large = faces.vertex_count() * threads >= MANY_VERTICES;
-        Way { threads, is_scattered: is_large && is_scattered(faces) }
+        let are_many = faces.vertex_count() * threads >= MANY_VERTICES;
+        Way { threads, is_scattered: are_many && is_scattered(faces) }
     }
 
     /// As many ranges as there are threads; together they are `0..count`.
