@@ -61,8 +61,11 @@ impl Ancestors {
         let (mut one, mut other) = (self.at_depth(one, depth), self.at_depth(other, depth));
         while one != other {
             let ways = [self.nodes[one], self.nodes[other]];
-            [one, other] =
-                if ways[0].jump == ways[1].jump { ways.map(|way| way.parent) } else { ways.map(|way| way.jump) };
+            [one, other] = if ways[0].jump == ways[1].jump {
+                ways.map(|way| way.parent)
+            } else {
+                ways.map(|way| way.jump)
+            };
         }
         one
     }
