@@ -256,6 +256,11 @@ pub struct FaceTableBuilder {
 }
 
 impl FaceTableBuilder {
+    /// Makes room for so many further corners.
+    pub fn reserve(&mut self, corners: usize) {
+        self.corners.reserve_exact(corners);
+    }
+
     /// Adds a corner to the face that is being built.
     #[inline]
     pub fn push_corner(&mut self, vertex: VertexId) {

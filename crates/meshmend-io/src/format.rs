@@ -42,6 +42,9 @@ impl fmt::Display for Encoding {
     }
 }
 
+/// What a format's reader found, or why it gave up.
+pub(crate) type ReadResult = Result<Parsed, ReadError>;
+
 /// What a format's module gives to the registry.
 pub(crate) struct Driver {
     pub(crate) name: &'static str,
@@ -52,7 +55,10 @@ pub(crate) struct Driver {
     pub(crate) holds_polygons: bool,
     /// Whether a file that starts like this, and has no known name, is surely of this format.
     pub(crate) sniff: fn(&[u8]) -> bool,
-    pub(crate) read: fn(&Source<'_>, &Limits) -> Result<Parsed, ReadError>,
+    pub(crate) read: fn(&Source<'_>, &Limits) -> ReadResult,
+    /// Reads a source of which only the start is at hand and the rest comes as it is asked for; nothing, and nothing taken
+    /// from the rest, where all has to be at hand.
+    pub(crate) read_blocks: fn(&Source<'_>, &mut dyn io::Read, &Limits) -> Option<ReadResult>,
     pub(crate) encode: fn(&PolygonMesh, Encoding, &mut dyn io::Write) -> Result<(), WriteErrorKind>,
     pub(crate) losses: fn(&PolygonMesh, Encoding) -> Vec<Loss>,
 }

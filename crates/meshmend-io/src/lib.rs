@@ -29,6 +29,7 @@
 mod ahead;
 mod assemble;
 mod atomic;
+mod blocks;
 mod error;
 mod format;
 mod layers;

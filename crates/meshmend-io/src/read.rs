@@ -39,15 +39,28 @@ pub struct ReadFile {
 /// # Errors
 /// When the system can't read it, its format is not known, its content is malformed or beyond the limits.
 ///
-/// *Cost*: the whole file is held in memory while it is read; time is linear in its size.
+/// *Cost*: time is linear in the file's size. A text is held in memory while it is read; of binary values a block is, where
+/// the name or the options tell the format.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
-    let name = path.display().to_string();
-    let bytes = read_whole(path, options.limits.max_file_bytes).map_err(|kind| ReadError {
-        file: name.clone(),
-        place: Place::File,
-        kind,
-    })?;
-    read_as(&bytes, &name, options.format.or_else(|| Format::from_path(path)), &options.limits)
+    let (name, limits) = (path.display().to_string(), &options.limits);
+    let failed = |kind| ReadError { file: name.clone(), place: Place::File, kind };
+    let format = options.format.or_else(|| Format::from_path(path));
+    let (mut file, announced) = open(path, limits.max_file_bytes).map_err(failed)?;
+    let mut bytes = Vec::with_capacity(HEAD.min(announced));
+    file.by_ref()
+        .take(HEAD as u64)
+        .read_to_end(&mut bytes)
+        .map_err(|error| failed(ReadErrorKind::Io(error)))?;
+    if let (Some(format), HEAD) = (format, bytes.len())
+        && announced > HEAD
+    {
+        let head = Source { bytes: &bytes, length: announced, name: &name, pace: Pace::NONE };
+        if let Some(parsed) = (format.driver().read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
+            return parsed.map(|parsed| parsed.of(format));
+        }
+    }
+    let bytes = take_in(bytes, file, announced, limits.max_file_bytes).map_err(failed)?;
+    read_as(&bytes, &name, format, limits)
 }
 
 /// Reads a mesh from bytes, without a file system. The name tells the format as in [`read`], and stands in errors.
@@ -58,9 +71,15 @@ pub fn read_bytes(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Rea
     read_as(bytes, name, options.format.or_else(|| Format::from_path(Path::new(name))), &options.limits)
 }
 
+/// What of a file is read before its format's reader takes over.
+const HEAD: usize = 1 << 16;
+
 /// The bytes of a file with its name for errors.
 pub(crate) struct Source<'a> {
+    /// All of them, or those at the start where a reader takes the others block by block.
     pub(crate) bytes: &'a [u8],
+    /// How many there are in all.
+    pub(crate) length: usize,
     pub(crate) name: &'a str,
     /// How far ahead of a reader text is parsed.
     pub(crate) pace: Pace,
@@ -71,6 +90,12 @@ pub(crate) struct Parsed {
     pub(crate) mesh: PolygonMesh,
     pub(crate) variant: &'static str,
     pub(crate) notes: Notes,
+}
+
+impl Parsed {
+    fn of(self, format: Format) -> ReadFile {
+        ReadFile { mesh: self.mesh, format, variant: self.variant, notes: self.notes.into_list() }
+    }
 }
 
 impl Source<'_> {
@@ -90,6 +115,12 @@ impl Source<'_> {
         ReadError { file: self.name.to_owned(), place: Place::File, kind }
     }
 
+    /// Why bytes that must be there can't be given.
+    #[cold]
+    pub(crate) fn failed(&self, error: io::Error) -> ReadError {
+        ReadError { file: self.name.to_owned(), place: Place::File, kind: ReadErrorKind::Io(error) }
+    }
+
     /// The line of a byte.
     pub(crate) fn line(&self, at: usize) -> Place {
         Place::Line(crate::text::line_number(self.bytes, at))
@@ -97,7 +128,7 @@ impl Source<'_> {
 }
 
 fn read_as(bytes: &[u8], name: &str, format: Option<Format>, limits: &Limits) -> Result<ReadFile, ReadError> {
-    let source = Source { bytes, name, pace: Pace::of(bytes.len()) };
+    let source = Source { bytes, length: bytes.len(), name, pace: Pace::of(bytes.len()) };
     source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
     let extension_is_known = Path::new(name).extension().is_some_and(is_foreign);
     let format = match format {
@@ -107,8 +138,7 @@ fn read_as(bytes: &[u8], name: &str, format: Option<Format>, limits: &Limits) ->
     let unknown =
         || ReadError { file: name.to_owned(), place: Place::File, kind: ReadErrorKind::UnknownFormat };
     let format = format.ok_or_else(unknown)?;
-    let parsed = (format.driver().read)(&source, &limits.within_a_mesh())?;
-    Ok(ReadFile { mesh: parsed.mesh, format, variant: parsed.variant, notes: parsed.notes.into_list() })
+    (format.driver().read)(&source, &limits.within_a_mesh()).map(|parsed| parsed.of(format))
 }
 
 /// Whether an extension stands for a mesh format that is not read here.
@@ -117,30 +147,33 @@ fn is_foreign(extension: &std::ffi::OsStr) -> bool {
     FOREIGN.iter().any(|foreign| extension.eq_ignore_ascii_case(foreign))
 }
 
-fn read_whole(path: &Path, limit: u64) -> Result<Vec<u8>, ReadErrorKind> {
+/// A file that is to be read, and how many bytes it says that it holds.
+fn open(path: &Path, limit: u64) -> Result<(File, usize), ReadErrorKind> {
     let file = File::open(path).map_err(ReadErrorKind::Io)?;
     let status = file.metadata().map_err(ReadErrorKind::Io)?;
     if status.is_dir() {
         return Err(ReadErrorKind::Io(io::Error::from(io::ErrorKind::IsADirectory)));
     }
-    take_in(file, status.len(), limit)
+    let found = status.len();
+    if found > limit {
+        return Err(ReadErrorKind::LimitExceeded { what: "bytes", found, limit });
+    }
+    Ok((file, usize::try_from(found).unwrap_or(usize::MAX)))
 }
 
-/// All that a source gives, which says that it holds `announced` bytes.
-fn take_in(from: impl Read, announced: u64, limit: u64) -> Result<Vec<u8>, ReadErrorKind> {
-    let exceeded = |found| ReadErrorKind::LimitExceeded { what: "bytes", found, limit };
-    if announced > limit {
-        return Err(exceeded(announced));
-    }
-    let mut bytes = Vec::new();
+/// The bytes at the start of a source, and all others that it gives; it says that it holds `announced`.
+fn take_in(
+    mut bytes: Vec<u8>,
+    from: impl Read,
+    announced: usize,
+    limit: u64,
+) -> Result<Vec<u8>, ReadErrorKind> {
     let too_large = |_| ReadErrorKind::Io(io::Error::from(io::ErrorKind::OutOfMemory));
-    let room = usize::try_from(announced).unwrap_or(usize::MAX).saturating_add(1);
-    bytes.try_reserve_exact(room).map_err(too_large)?;
-    from.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(ReadErrorKind::Io)?;
-    if bytes.len() as u64 > limit {
-        return Err(exceeded(bytes.len() as u64));
-    }
-    Ok(bytes)
+    bytes.try_reserve_exact(announced.saturating_sub(bytes.len()).saturating_add(1)).map_err(too_large)?;
+    let room = limit.saturating_sub(bytes.len() as u64).saturating_add(1);
+    from.take(room).read_to_end(&mut bytes).map_err(ReadErrorKind::Io)?;
+    let found = bytes.len() as u64;
+    if found > limit { Err(ReadErrorKind::LimitExceeded { what: "bytes", found, limit }) } else { Ok(bytes) }
 }
 
 #[cfg(test)]
@@ -171,13 +204,14 @@ mod tests {
         let content = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
         // One more call finds the end.
         for failing in 1..=content.len().div_ceil(3) + 1 {
-            for announced in [0, content.len() as u64] {
+            for announced in [0, content.len()] {
                 let source = |error| Failing { rest: content, calls: 0, failing, error };
-                match take_in(source(io::ErrorKind::Other), announced, 1000) {
+                match take_in(Vec::new(), source(io::ErrorKind::Other), announced, 1000) {
                     Err(ReadErrorKind::Io(error)) => assert_eq!(error.kind(), io::ErrorKind::Other),
                     other => panic!("call {failing}: {other:?}"),
                 }
-                assert_eq!(take_in(source(io::ErrorKind::Interrupted), announced, 1000).unwrap(), content);
+                let interrupted = source(io::ErrorKind::Interrupted);
+                assert_eq!(take_in(Vec::new(), interrupted, announced, 1000).unwrap(), content);
             }
         }
     }
@@ -185,12 +219,11 @@ mod tests {
     #[test]
     fn a_limit_is_the_most_that_is_taken_whatever_is_announced() {
         let content: &[u8] = b"12345";
-        for announced in 0..=5 {
-            assert_eq!(take_in(content, announced, 5).unwrap(), content);
-        }
-        for (announced, expected) in [(0, 5), (4, 5), (6, 6)] {
-            match take_in(content, announced, 4) {
-                Err(ReadErrorKind::LimitExceeded { found, limit: 4, .. }) => assert_eq!(found, expected),
+        for (announced, head) in (0..=6).flat_map(|announced| [(announced, 0), (announced, 3)]) {
+            let taken = |limit| take_in(content[..head].to_vec(), &content[head..], announced, limit);
+            assert_eq!(taken(5).unwrap(), content);
+            match taken(4) {
+                Err(ReadErrorKind::LimitExceeded { found: 5, limit: 4, .. }) => {}
                 other => panic!("{announced} announced: {other:?}"),
             }
         }
@@ -198,7 +231,7 @@ mod tests {
 
     #[test]
     fn what_is_announced_beyond_all_memory_is_an_error() {
-        let taken = take_in(io::empty(), u64::MAX, u64::MAX);
+        let taken = take_in(Vec::new(), io::empty(), usize::MAX, u64::MAX);
         assert!(matches!(taken, Err(ReadErrorKind::Io(error)) if error.kind() == io::ErrorKind::OutOfMemory));
     }
 }

@@ -13,15 +13,21 @@
 //! another face again. *Cost*: O(n log n). *Source*: the multiple-incidence repairs of A. Bærentzen, *On the Topology
 //! of Polygonal Meshes*, 2025.
 
+use std::borrow::Cow;
+
 use meshmend_core::{
-    CornerId, Defect, DefectKind, Draft, FaceId, FaceTableBuilder, Id, PolygonMesh, Sources, VertexId,
-    canonical_rotation, distinct_count,
+    CornerId, Defect, DefectKind, Draft, FaceId, FaceTable, FaceTableBuilder, Id, PolygonMesh, Sources,
+    VertexId, distinct_count,
 };
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::words::WordSplitter;
 use crate::{Context, Outcome, Pass, PassError};
+
+mod repeats;
+
+use repeats::repeats;
 
 /// Makes every face a simple polygon with finite corners, and drops repeated ones.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -78,52 +84,59 @@ impl Pass for Clean {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        let mut pieces = self.simple_pieces(mesh)?;
+        let pieces = self.simple_pieces(mesh)?;
         context.check_cancelled()?;
-        pieces.drop_repeats(mesh, context);
-        pieces.into_outcome(mesh)
+        let repeats = pieces.repeats(&stored_names(mesh, context));
+        pieces.into_outcome(mesh, repeats)
     }
 }
 
 /// The faces that stay, as pieces of old ones.
-struct Pieces {
-    /// For each piece its old face, ascending.
+struct Pieces<'a> {
+    faces: &'a FaceTable,
+    /// Absent when each face stays as it is.
+    listed: Option<Listed>,
+    mended: Vec<Defect>,
+}
+
+/// Pieces that are listed, by ascending face.
+struct Listed {
     face: Vec<FaceId>,
     /// Where each piece's corners begin, and one more.
     starts: Vec<u32>,
     corners: Vec<CornerId>,
-    mended: Vec<Defect>,
-    is_kept: Vec<bool>,
 }
 
 impl Clean {
-    fn simple_pieces(&self, mesh: &PolygonMesh) -> Result<Pieces, PassError> {
-        let faces = mesh.faces();
-        let is_finite: Vec<bool> =
-            mesh.positions().par_iter().map(|p| p.iter().all(|x| x.is_finite())).collect();
-        let all_finite = is_finite.iter().all(|&finite| finite);
+    fn simple_pieces<'a>(&self, mesh: &'a PolygonMesh) -> Result<Pieces<'a>, PassError> {
+        let (faces, positions) = (mesh.faces(), mesh.positions());
+        let is_finite = |v: &VertexId| positions[v.index()].iter().all(|x| x.is_finite());
+        let all_finite = positions.par_iter().all(|p| p.iter().all(|x| x.is_finite()));
+        let bad_vertex = |face| faces.face_vertices(face).iter().find(|v| !all_finite && !is_finite(v));
+        let is_simple = |face| is_simple(faces.face_vertices(face));
+        if faces.faces().all(|face| is_simple(face) && bad_vertex(face).is_none()) {
+            return Ok(Pieces { faces, listed: None, mended: Vec::new() });
+        }
         let mut splitter = None;
-        let mut pieces = Pieces::with_capacity(faces.face_count(), faces.corner_count());
-        let mut non_finite = Vec::new();
+        let mut listed = Listed::with_capacity(faces.face_count(), faces.corner_count());
+        let (mut mended, mut non_finite) = (Vec::new(), Vec::new());
         for face in faces.faces() {
-            let vertices = faces.face_vertices(face);
-            let bad = if all_finite { None } else { vertices.iter().find(|v| !is_finite[v.index()]) };
-            if let Some(&vertex) = bad {
+            if let Some(&vertex) = bad_vertex(face) {
                 non_finite.push(Defect::NonFiniteFace { face, vertex });
                 if self.non_finite != NonFinite::Keep {
                     continue;
                 }
             }
-            let range = faces.corner_range(face);
-            if vertices.len() >= 3 && distinct_count(vertices) == vertices.len() {
-                pieces.push(face, range.map(CornerId::new));
+            let (range, vertices) = (faces.corner_range(face), faces.face_vertices(face));
+            if is_simple(face) {
+                listed.push(face, range.map(CornerId::new));
                 continue;
             }
             let splitter = splitter.get_or_insert_with(|| WordSplitter::new(faces.vertex_count()));
             let found = splitter.split(vertices);
-            pieces.mended.push(what_was_wrong(face, vertices, found.repeated, found.loops.is_empty()));
+            mended.push(what_was_wrong(face, vertices, found.repeated, found.loops.is_empty()));
             for corners in found.loops {
-                pieces.push(face, corners.into_iter().map(|place| CornerId::new(range.start + place)));
+                listed.push(face, corners.into_iter().map(|place| CornerId::new(range.start + place)));
             }
         }
         match self.non_finite {
@@ -131,10 +144,18 @@ impl Clean {
                 let kind = DefectKind::NonFiniteFace;
                 return Err(PassError::Policy { pass: "clean", kind, defects: non_finite });
             }
-            NonFinite::Drop => pieces.mended.extend(non_finite),
+            NonFinite::Drop => mended.extend(non_finite),
             _ => {}
         }
-        Ok(pieces)
+        Ok(Pieces { faces, listed: Some(listed), mended })
+    }
+}
+
+/// Whether a face has three corners or more, all at different vertices.
+fn is_simple(vertices: &[VertexId]) -> bool {
+    match *vertices {
+        [a, b, c] => a != b && b != c && c != a,
+        _ => vertices.len() > 3 && distinct_count(vertices) == vertices.len(),
     }
 }
 
@@ -151,17 +172,11 @@ fn what_was_wrong(face: FaceId, vertices: &[VertexId], repeated: Option<VertexId
     }
 }
 
-impl Pieces {
+impl Listed {
     fn with_capacity(faces: usize, corners: usize) -> Self {
         let mut starts = Vec::with_capacity(faces + 1);
         starts.push(0);
-        Pieces {
-            face: Vec::with_capacity(faces),
-            starts,
-            corners: Vec::with_capacity(corners),
-            mended: Vec::new(),
-            is_kept: Vec::new(),
-        }
+        Listed { face: Vec::with_capacity(faces), starts, corners: Vec::with_capacity(corners) }
     }
 
     fn push(&mut self, face: FaceId, corners: impl Iterator<Item = CornerId>) {
@@ -173,78 +188,75 @@ impl Pieces {
     fn corners_of(&self, piece: usize) -> &[CornerId] {
         &self.corners[self.starts[piece] as usize..self.starts[piece + 1] as usize]
     }
+}
 
-    /// Marks the pieces to keep: of those with the same directed cycle of vertices as stored, the first.
-    fn drop_repeats(&mut self, mesh: &PolygonMesh, context: &Context<'_>) {
-        let stored = |corner: CornerId| {
-            let present = mesh.faces().corner_vertex(corner);
-            let Some(history) = context.history else { return present };
-            match history.provenance().corners.of(corner) {
-                Some(old) => history.stored().faces().corner_vertex(old),
-                None => VertexId::new(history.stored().counts().vertices + present.index()),
+/// For each corner the vertex as stored that is there; for one of a created vertex a number beyond those.
+fn stored_names<'a>(mesh: &'a PolygonMesh, context: &Context<'a>) -> Cow<'a, [VertexId]> {
+    let present = mesh.faces().corner_vertices();
+    let Some(history) = context.history else { return Cow::Borrowed(present) };
+    let (corners, stored) = (&history.provenance().corners, history.stored());
+    let stored_vertices = stored.faces().corner_vertices();
+    if corners.is_same() {
+        return Cow::Borrowed(&stored_vertices[..present.len()]);
+    }
+    let name = |(corner, present): (usize, &VertexId)| match corners.of(CornerId::new(corner)) {
+        Some(old) => stored_vertices[old.index()],
+        None => VertexId::new(stored.counts().vertices + present.index()),
+    };
+    present.iter().enumerate().map(name).collect()
+}
+
+impl Pieces<'_> {
+    fn count(&self) -> usize {
+        self.listed.as_ref().map_or(self.faces.face_count(), |listed| listed.face.len())
+    }
+
+    fn face(&self, piece: usize) -> FaceId {
+        self.listed.as_ref().map_or(FaceId::new(piece), |listed| listed.face[piece])
+    }
+
+    fn corners(&self, piece: usize) -> impl Iterator<Item = CornerId> {
+        let listed = self.listed.as_ref().map(|listed| listed.corners_of(piece));
+        let range = match listed {
+            None => self.faces.corner_range(FaceId::new(piece)),
+            Some(corners) => 0..corners.len(),
+        };
+        range.map(move |at| listed.map_or(CornerId::new(at), |corners| corners[at]))
+    }
+
+    /// Pairs (first, later) of pieces with the same directed cycle of vertices, which have these names.
+    fn repeats(&self, names: &[VertexId]) -> Vec<(u32, u32)> {
+        let (faces, count) = (self.faces, self.count());
+        match &self.listed {
+            None => repeats(count, |face| names[faces.corner_range(FaceId(face))].iter().copied()),
+            Some(listed) => {
+                repeats(count, |piece| listed.corners_of(piece as usize).iter().map(|c| names[c.index()]))
             }
-        };
-        let count = self.face.len();
-        self.is_kept = vec![true; count];
-        let mut names: Vec<VertexId> = self.corners.iter().map(|&c| stored(c)).collect();
-        for piece in 0..count {
-            let cycle = &mut names[self.starts[piece] as usize..self.starts[piece + 1] as usize];
-            cycle.rotate_left(canonical_rotation(cycle));
-        }
-        let cycle = |piece: u32| {
-            &names[self.starts[piece as usize] as usize..self.starts[piece as usize + 1] as usize]
-        };
-        for (original, repeat) in equal_to_an_earlier_one(count, cycle) {
-            self.is_kept[repeat as usize] = false;
-            let (face, original) = (self.face[repeat as usize], self.face[original as usize]);
-            self.mended.push(Defect::DuplicateFace { face, original });
         }
     }
 
-    fn into_outcome(self, mesh: &PolygonMesh) -> Result<Outcome, PassError> {
+    fn into_outcome(mut self, mesh: &PolygonMesh, repeats: Vec<(u32, u32)>) -> Result<Outcome, PassError> {
+        let mut is_kept = vec![true; if repeats.is_empty() { 0 } else { self.count() }];
+        for (original, repeat) in repeats {
+            is_kept[repeat as usize] = false;
+            let (face, original) = (self.face(repeat as usize), self.face(original as usize));
+            self.mended.push(Defect::DuplicateFace { face, original });
+        }
         if self.mended.is_empty() {
             return Ok(Outcome::unchanged(mesh));
         }
         let mut builder = FaceTableBuilder::default();
         let (mut face_sources, mut corner_sources) = (Vec::new(), Vec::new());
-        for piece in (0..self.face.len()).filter(|&piece| self.is_kept[piece]) {
-            let corners = self.corners_of(piece);
-            builder.push_face(corners.iter().map(|&c| mesh.faces().corner_vertex(c)));
-            corner_sources.extend(corners.iter().map(|&c| Some(c)));
-            face_sources.push(Some(self.face[piece]));
+        for piece in (0..self.count()).filter(|&piece| is_kept.get(piece) != Some(&false)) {
+            builder.push_face(self.corners(piece).map(|corner| mesh.faces().corner_vertex(corner)));
+            corner_sources.extend(self.corners(piece).map(Some));
+            face_sources.push(Some(self.face(piece)));
         }
         let faces = builder.build(mesh.counts().vertices)?;
         let draft =
             Draft::of_faces(mesh, faces, Sources::listed(face_sources), Sources::listed(corner_sources));
         Ok(Outcome::changed(mesh.rebuild(draft)?, self.mended.into()))
     }
-}
-
-/// Pairs (first, later) of equal cycles, each in its least rotation; for triangles the keys are sorted as numbers.
-fn equal_to_an_earlier_one<'a>(
-    count: usize,
-    cycle: impl Fn(u32) -> &'a [VertexId] + Sync,
-) -> Vec<(u32, u32)> {
-    let mut triangles: Vec<u128> = Vec::new();
-    let mut others: Vec<u32> = Vec::new();
-    for piece in 0..count as u32 {
-        match *cycle(piece) {
-            [a, b, c] => triangles.push(
-                u128::from(a.0) << 96 | u128::from(b.0) << 64 | u128::from(c.0) << 32 | u128::from(piece),
-            ),
-            _ => others.push(piece),
-        }
-    }
-    triangles.par_sort_unstable();
-    others.par_sort_unstable_by(|&one, &other| cycle(one).cmp(cycle(other)).then(one.cmp(&other)));
-    let mut found = Vec::new();
-    for run in triangles.chunk_by(|one, other| one >> 32 == other >> 32) {
-        found.extend(run[1..].iter().map(|&later| (run[0] as u32, later as u32)));
-    }
-    for run in others.chunk_by(|&one, &other| cycle(one) == cycle(other)) {
-        found.extend(run[1..].iter().map(|&later| (run[0], later)));
-    }
-    found
 }
 
 #[cfg(test)]

@@ -72,7 +72,7 @@ const ODDITIES: [Oddity; 5] = [
 
 /// What a reader says, down to the bits of each number.
 fn outcome(format: Format, text: &str, pace: Pace, limits: &Limits) -> String {
-    let source = Source { bytes: text.as_bytes(), name: "text", pace };
+    let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace };
     match (format.driver().read)(&source, limits) {
         Ok(parsed) => format!("{:?} {} {:?}", parsed.mesh, parsed.variant, parsed.notes.into_list()),
         Err(error) => format!("{error:?}"),
@@ -94,7 +94,7 @@ fn assert_as_alone(format: Format, text: &str, chunks: &[usize]) {
 /// The usual limits, and for each count what a text has, and one less.
 fn limits_of(format: Format, text: &str) -> Vec<Limits> {
     let usual = Limits::default();
-    let source = Source { bytes: text.as_bytes(), name: "text", pace: Pace::NONE };
+    let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace: Pace::NONE };
     let Ok(parsed) = (format.driver().read)(&source, &usual) else { return vec![usual] };
     let counts = parsed.mesh.counts();
     let corners = parsed.mesh.faces().corner_count() as u64;

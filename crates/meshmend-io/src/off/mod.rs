@@ -32,6 +32,7 @@ pub(crate) static DRIVER: Driver = Driver {
     holds_polygons: true,
     sniff: |bytes| read::Columns::of_header(word(bytes, 0)).is_some(),
     read: read::read,
+    read_blocks: |_, _, _| None,
     encode: write::encode,
     losses: write::losses,
 };

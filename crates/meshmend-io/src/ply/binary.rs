@@ -1,7 +1,10 @@
 //! Binary values.
 
+use std::io::{self, Read};
+
 use meshmend_core::Values;
 
+use crate::blocks::Blocks;
 use crate::ply::data::{Data, FixedRows};
 use crate::ply::header::Element;
 use crate::ply::scalar::Scalar;
@@ -11,35 +14,38 @@ use crate::{Place, ReadError};
 /// Binary values of either byte order.
 pub(super) struct Binary<'a, const BIG: bool> {
     source: &'a Source<'a>,
-    at: usize,
+    blocks: Blocks<'a>,
 }
 
 impl<'a, const BIG: bool> Binary<'a, BIG> {
-    pub(super) fn new(source: &'a Source<'a>, at: usize) -> Self {
-        Binary { source, at }
+    /// The values from a place on, of which `rest` gives the bytes that the source does not hold.
+    pub(super) fn new(source: &'a Source<'a>, at: usize, rest: &'a mut dyn Read) -> Self {
+        Binary { source, blocks: Blocks::new(source, at, rest) }
     }
 
     #[inline]
-    fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
-        match self.source.bytes[self.at..].get(..length) {
-            Some(bytes) => {
-                self.at += length;
-                Ok(bytes)
-            }
-            None => Err(self.cut("a value")),
-        }
+    fn take(&mut self, length: usize) -> Result<&[u8], ReadError> {
+        let (source, at) = (self.source, self.blocks.at());
+        self.blocks.take(length).map_err(|error| failed(source, at, length, error))
     }
+}
 
-    #[cold]
-    fn cut(&self, what: &str) -> ReadError {
-        let left = self.source.bytes.len() - self.at;
-        self.wrong(self.at, &format!("the file ends early: {left} bytes are left for {what}"))
-    }
+/// Why so many bytes at a place can't be given.
+#[cold]
+fn failed(source: &Source<'_>, at: usize, length: usize, error: io::Error) -> ReadError {
+    if length > source.length - at { cut(source, at, "a value") } else { source.failed(error) }
+}
+
+#[cold]
+fn cut(source: &Source<'_>, at: usize, what: &str) -> ReadError {
+    let left = source.length - at;
+    let reason = format!("the file ends early: {left} bytes are left for {what}");
+    source.malformed(Place::Byte(at as u64), reason)
 }
 
 impl<const BIG: bool> Data for Binary<'_, BIG> {
     fn at(&self) -> usize {
-        self.at
+        self.blocks.at()
     }
 
     #[cold]
@@ -47,9 +53,13 @@ impl<const BIG: bool> Data for Binary<'_, BIG> {
         self.source.malformed(Place::Byte(at as u64), reason)
     }
 
+    fn left(&self) -> Option<usize> {
+        Some(self.blocks.left())
+    }
+
     #[inline]
     fn check_room(&self, _: u64, bytes: u64, what: &str) -> Result<(), ReadError> {
-        if bytes > (self.source.bytes.len() - self.at) as u64 { Err(self.cut(what)) } else { Ok(()) }
+        if bytes > self.blocks.left() as u64 { Err(cut(self.source, self.at(), what)) } else { Ok(()) }
     }
 
     #[inline]
@@ -60,7 +70,7 @@ impl<const BIG: bool> Data for Binary<'_, BIG> {
 
     fn push(&mut self, scalar: Scalar, values: &mut Values) -> Result<(), ReadError> {
         let bytes = self.take(scalar.size())?;
-        extend::<BIG>(values, bytes, bytes.len(), 0);
+        FixedRows { bytes, stride: bytes.len(), in_all: 1, is_big_endian: BIG }.extend(values, 0);
         Ok(())
     }
 
@@ -71,7 +81,7 @@ impl<const BIG: bool> Data for Binary<'_, BIG> {
         count: usize,
         mut each: impl FnMut(i64, usize),
     ) -> Result<(), ReadError> {
-        let (size, start) = (scalar.size(), self.at);
+        let (source, size, start) = (self.source, scalar.size(), self.at());
         let bytes = self.take(count.saturating_mul(size))?;
         let places = (start..).step_by(size);
         let rows = bytes.chunks_exact(size).zip(places);
@@ -94,7 +104,8 @@ impl<const BIG: bool> Data for Binary<'_, BIG> {
                 for (bytes, at) in rows {
                     let value = number_at::<BIG>(bytes, scalar);
                     if value.fract() != 0.0 {
-                        return Err(self.wrong(at, &format!("{value} where an index belongs")));
+                        let reason = format!("{value} where an index belongs");
+                        return Err(source.malformed(Place::Byte(at as u64), reason));
                     }
                     each(value as i64, at);
                 }
@@ -103,17 +114,28 @@ impl<const BIG: bool> Data for Binary<'_, BIG> {
         Ok(())
     }
 
-    fn fixed_rows(&mut self, element: &Element) -> Result<Option<FixedRows<'_>>, ReadError> {
+    fn fixed_rows(
+        &mut self,
+        element: &Element,
+        mut each: impl FnMut(FixedRows<'_>),
+    ) -> Result<bool, ReadError> {
         if element.properties.iter().any(|property| property.length.is_some()) {
-            return Ok(None);
+            return Ok(false);
         }
         let stride: usize = element.properties.iter().map(|property| property.item.size()).sum();
-        let bytes = self.take((element.count as usize).saturating_mul(stride))?;
-        Ok(Some(FixedRows { bytes, stride, is_big_endian: BIG }))
+        self.check_room(0, element.count.saturating_mul(stride as u64), "a value")?;
+        let mut left = element.count as usize;
+        while left > 0 && stride > 0 {
+            let source = self.source;
+            let bytes = self.blocks.take_rows(stride, left).map_err(|error| source.failed(error))?;
+            left -= bytes.len() / stride;
+            each(FixedRows { bytes, stride, in_all: element.count as usize, is_big_endian: BIG });
+        }
+        Ok(true)
     }
 
     fn surplus(&self) -> (usize, usize) {
-        (self.source.bytes.len() - self.at, self.at)
+        (self.blocks.left(), self.at())
     }
 }
 
@@ -121,33 +143,54 @@ impl FixedRows<'_> {
     /// Appends the values that begin at an offset of each row.
     pub(super) fn extend(&self, values: &mut Values, offset: usize) {
         match self.is_big_endian {
-            true => extend::<true>(values, self.bytes, self.stride, offset),
-            false => extend::<false>(values, self.bytes, self.stride, offset),
+            true => self.extend_from::<true>(values, offset),
+            false => self.extend_from::<false>(values, offset),
         }
     }
 
-    /// Three numbers of each row, each with its type and offset.
-    pub(super) fn points(&self, columns: [(Scalar, usize); 3]) -> Vec<[f64; 3]> {
+    /// Appends three numbers of each row, each with its type and offset.
+    pub(super) fn extend_points(&self, points: &mut Vec<[f64; 3]>, columns: [(Scalar, usize); 3]) {
         match self.is_big_endian {
-            true => points::<true>(self.bytes, self.stride, columns),
-            false => points::<false>(self.bytes, self.stride, columns),
+            true => self.extend_points_from::<true>(points, columns),
+            false => self.extend_points_from::<false>(points, columns),
         }
     }
-}
 
-fn points<const BIG: bool>(bytes: &[u8], stride: usize, columns: [(Scalar, usize); 3]) -> Vec<[f64; 3]> {
-    let rows = bytes.chunks_exact(stride);
-    let offsets = columns.map(|(_, offset)| offset);
-    match columns.map(|(scalar, _)| scalar) {
-        [Scalar::F32, Scalar::F32, Scalar::F32] => {
-            let single = |row: &[u8], at: usize| f64::from(f32::from_le_bytes(array::<4, BIG>(&row[at..])));
-            rows.map(|row| offsets.map(|at| single(row, at))).collect()
+    fn extend_from<const BIG: bool>(&self, values: &mut Values, at: usize) {
+        match values {
+            Values::I8(v) => self.append(v, |row| i8::from_le_bytes(array::<1, BIG>(&row[at..]))),
+            Values::U8(v) => self.append(v, |row| row[at]),
+            Values::I16(v) => self.append(v, |row| i16::from_le_bytes(array::<2, BIG>(&row[at..]))),
+            Values::U16(v) => self.append(v, |row| u16::from_le_bytes(array::<2, BIG>(&row[at..]))),
+            Values::I32(v) => self.append(v, |row| i32::from_le_bytes(array::<4, BIG>(&row[at..]))),
+            Values::U32(v) => self.append(v, |row| u32::from_le_bytes(array::<4, BIG>(&row[at..]))),
+            Values::F32(v) => self.append(v, |row| f32::from_le_bytes(array::<4, BIG>(&row[at..]))),
+            Values::F64(v) => self.append(v, |row| f64::from_le_bytes(array::<8, BIG>(&row[at..]))),
+            Values::Text(_) | Values::Lists { .. } => {}
         }
-        [Scalar::F64, Scalar::F64, Scalar::F64] => {
-            let double = |row: &[u8], at: usize| f64::from_le_bytes(array::<8, BIG>(&row[at..]));
-            rows.map(|row| offsets.map(|at| double(row, at))).collect()
+    }
+
+    fn extend_points_from<const BIG: bool>(&self, points: &mut Vec<[f64; 3]>, columns: [(Scalar, usize); 3]) {
+        let offsets = columns.map(|(_, offset)| offset);
+        match columns.map(|(scalar, _)| scalar) {
+            [Scalar::F32, Scalar::F32, Scalar::F32] => {
+                let single = |bytes: &[u8]| f64::from(f32::from_le_bytes(array::<4, BIG>(bytes)));
+                self.append(points, |row| offsets.map(|at| single(&row[at..])));
+            }
+            [Scalar::F64, Scalar::F64, Scalar::F64] => {
+                let double = |bytes: &[u8]| f64::from_le_bytes(array::<8, BIG>(bytes));
+                self.append(points, |row| offsets.map(|at| double(&row[at..])));
+            }
+            _ => self.append(points, |row| columns.map(|(scalar, at)| number_at::<BIG>(&row[at..], scalar))),
         }
-        _ => rows.map(|row| columns.map(|(scalar, at)| number_at::<BIG>(&row[at..], scalar))).collect(),
+    }
+
+    /// Appends something of each row; the first block makes room for all.
+    fn append<T>(&self, values: &mut Vec<T>, of_row: impl Fn(&[u8]) -> T) {
+        if values.is_empty() {
+            values.reserve_exact(self.in_all);
+        }
+        values.extend(self.bytes.chunks_exact(self.stride).map(of_row));
     }
 }
 
@@ -173,20 +216,5 @@ fn number_at<const BIG: bool>(bytes: &[u8], scalar: Scalar) -> f64 {
         Scalar::U32 => f64::from(u32::from_le_bytes(array::<4, BIG>(bytes))),
         Scalar::F32 => f64::from(f32::from_le_bytes(array::<4, BIG>(bytes))),
         Scalar::F64 => f64::from_le_bytes(array::<8, BIG>(bytes)),
-    }
-}
-
-fn extend<const BIG: bool>(values: &mut Values, bytes: &[u8], stride: usize, offset: usize) {
-    let rows = bytes.chunks_exact(stride).map(|row| &row[offset..]);
-    match values {
-        Values::I8(v) => v.extend(rows.map(|row| i8::from_le_bytes(array::<1, BIG>(row)))),
-        Values::U8(v) => v.extend(rows.map(|row| row[0])),
-        Values::I16(v) => v.extend(rows.map(|row| i16::from_le_bytes(array::<2, BIG>(row)))),
-        Values::U16(v) => v.extend(rows.map(|row| u16::from_le_bytes(array::<2, BIG>(row)))),
-        Values::I32(v) => v.extend(rows.map(|row| i32::from_le_bytes(array::<4, BIG>(row)))),
-        Values::U32(v) => v.extend(rows.map(|row| u32::from_le_bytes(array::<4, BIG>(row)))),
-        Values::F32(v) => v.extend(rows.map(|row| f32::from_le_bytes(array::<4, BIG>(row)))),
-        Values::F64(v) => v.extend(rows.map(|row| f64::from_le_bytes(array::<8, BIG>(row)))),
-        Values::Text(_) | Values::Lists { .. } => {}
     }
 }

@@ -69,7 +69,7 @@ fn extend(values: &mut Values, numbers: impl Iterator<Item = f64>) {
 
 /// Passes over the rows of an element.
 pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
-    if element.properties.is_empty() || data.fixed_rows(element)?.is_some() {
+    if element.properties.is_empty() || data.fixed_rows(element, |_| ())? {
         return Ok(());
     }
     for _ in 0..element.count {

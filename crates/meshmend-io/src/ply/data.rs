@@ -12,6 +12,9 @@ pub(super) trait Data {
     /// Which byte comes next.
     fn at(&self) -> usize;
 
+    /// How many bytes are left, if each type of values has a size.
+    fn left(&self) -> Option<usize>;
+
     /// An error that says where in the file it is.
     fn wrong(&self, at: usize, reason: &str) -> ReadError;
 
@@ -32,8 +35,8 @@ pub(super) trait Data {
         each: impl FnMut(i64, usize),
     ) -> Result<(), ReadError>;
 
-    /// The rows of an element as one piece, if each row has the same size in bytes.
-    fn fixed_rows(&mut self, element: &Element) -> Result<Option<FixedRows<'_>>, ReadError>;
+    /// Gives the rows of an element block by block, if each row has the same size in bytes; else says that it does not.
+    fn fixed_rows(&mut self, element: &Element, each: impl FnMut(FixedRows<'_>)) -> Result<bool, ReadError>;
 
     /// Lets a reader read so many rows; plain ones may be parsed ahead of it.
     #[inline]
@@ -87,9 +90,11 @@ pub(super) trait RowReader: Send {
     fn take(&mut self, rows: &Table) -> bool;
 }
 
-/// Rows of one size in bytes.
+/// Some rows of one size in bytes.
 pub(super) struct FixedRows<'a> {
     pub(super) bytes: &'a [u8],
     pub(super) stride: usize,
+    /// How many rows there are in all, these included.
+    pub(super) in_all: usize,
     pub(super) is_big_endian: bool,
 }

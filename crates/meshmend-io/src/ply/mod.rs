@@ -39,6 +39,7 @@ pub(crate) static DRIVER: Driver = Driver {
     holds_polygons: true,
     sniff: header::sniff,
     read: read::read,
+    read_blocks: read::read_blocks,
     encode: write::encode,
     losses: plan::losses,
 };

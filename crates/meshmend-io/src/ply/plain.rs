@@ -111,6 +111,10 @@ impl Data for Plain<'_> {
         self.at
     }
 
+    fn left(&self) -> Option<usize> {
+        None
+    }
+
     #[cold]
     fn wrong(&self, at: usize, reason: &str) -> ReadError {
         self.source.malformed(self.source.line(at), reason)
@@ -163,8 +167,8 @@ impl Data for Plain<'_> {
         Ok(())
     }
 
-    fn fixed_rows(&mut self, _: &Element) -> Result<Option<FixedRows<'_>>, ReadError> {
-        Ok(None)
+    fn fixed_rows(&mut self, _: &Element, _: impl FnMut(FixedRows<'_>)) -> Result<bool, ReadError> {
+        Ok(false)
     }
 
     fn each_row(

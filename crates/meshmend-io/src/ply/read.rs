@@ -1,5 +1,7 @@
 //! The PLY reader: element after element, in the order of the header.
 
+use std::io::{self, Read};
+
 use meshmend_core::{Id, VertexId};
 
 use crate::assemble::Parts;
@@ -20,11 +22,35 @@ pub(super) const KNOWN_ELEMENTS: [&str; 4] = ["vertex", "face", "tristrips", "ed
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let mut parts = Parts::default();
     let header = header::read(source, &mut parts, limits)?;
+    match header.form {
+        Form::Ascii => read_body(source, limits, &header, parts, Plain::new(source, header.end)),
+        _ => read_binary(source, &mut io::empty(), limits, &header, parts),
+    }
+}
+
+/// Binary values are read block by block, if all of the header is at hand.
+pub(super) fn read_blocks(
+    head: &Source<'_>,
+    rest: &mut dyn Read,
+    limits: &Limits,
+) -> Option<Result<Parsed, ReadError>> {
+    let mut parts = Parts::default();
+    let header = header::read(head, &mut parts, limits).ok()?;
+    let is_whole = header.end < head.bytes.len();
+    (is_whole && header.form != Form::Ascii).then(|| read_binary(head, rest, limits, &header, parts))
+}
+
+fn read_binary(
+    source: &Source<'_>,
+    rest: &mut dyn Read,
+    limits: &Limits,
+    header: &Header,
+    parts: Parts,
+) -> Result<Parsed, ReadError> {
     let at = header.end;
     match header.form {
-        Form::Ascii => read_body(source, limits, &header, parts, Plain::new(source, at)),
-        Form::LittleEndian => read_body(source, limits, &header, parts, Binary::<false>::new(source, at)),
-        Form::BigEndian => read_body(source, limits, &header, parts, Binary::<true>::new(source, at)),
+        Form::BigEndian => read_body(source, limits, header, parts, Binary::<true>::new(source, at, rest)),
+        _ => read_body(source, limits, header, parts, Binary::<false>::new(source, at, rest)),
     }
 }
 
@@ -98,17 +124,19 @@ impl<'a> Reader<'a> {
         };
         let axes = [axis("x")?, axis("y")?, axis("z")?];
         let mut columns = Columns::new(element);
-        if let Some(rows) = data.fixed_rows(element)? {
-            let sizes = element.properties.iter().map(|property| property.item.size());
-            let offsets: Vec<usize> =
-                sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size))).collect();
-            self.parts.positions =
-                rows.points(axes.map(|column| (element.properties[column].item, offsets[column])));
-            for column in (0..element.properties.len()).filter(|column| !axes.contains(column)) {
+        let sizes = element.properties.iter().map(|property| property.item.size());
+        let offsets: Vec<usize> =
+            sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size))).collect();
+        let others = (0..element.properties.len()).filter(|column| !axes.contains(column));
+        let of_axes = axes.map(|column| (element.properties[column].item, offsets[column]));
+        let positions = &mut self.parts.positions;
+        let is_read = data.fixed_rows(element, |rows| {
+            rows.extend_points(positions, of_axes);
+            for column in others.clone() {
                 rows.extend(&mut columns.values[column], offsets[column]);
             }
-        } else {
-            let positions = &mut self.parts.positions;
+        })?;
+        if !is_read {
             let mut reader = VertexRows { element, axes, columns: &mut columns, positions };
             data.each_row(element.count, Table::of_vertices(element, axes), &mut reader)?;
         }
@@ -126,6 +154,11 @@ impl<'a> Reader<'a> {
             return Err(self.missing(element, "faces without a list `vertex_indices` or `vertex_index`"));
         };
         let mut columns = Columns::new(element);
+        if let Some(left) = data.left() {
+            // Room for triangles, as far as there can be so many.
+            let most = left / element.properties[list].item.size();
+            self.parts.faces.reserve(most.min(3 * element.count as usize));
+        }
         let first = self.parts.faces.face_count();
         // Only lists beside the indices can be corner layers, which need to know whose corners are whose.
         let has_lists = element.properties.iter().filter(|property| property.length.is_some()).count() > 1;

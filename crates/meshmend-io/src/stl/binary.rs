@@ -2,7 +2,10 @@
 
 use meshmend_core::{Carry, Domain, Layer, Metadata, Values, VertexId};
 
+use std::io::Read;
+
 use crate::assemble::Parts;
+use crate::blocks::Blocks;
 use crate::read::{Parsed, Source};
 use crate::stl::{FACET, HEAD, HEADER};
 use crate::text::is_space;
@@ -17,22 +20,29 @@ fn little_endian(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
 }
 
-pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
-    let facets = checked_facets(source)?;
-    let count = (facets.len() / FACET) as u64;
-    source.limited("faces", count, limits.max_faces)?;
-    source.limited("vertices", 3 * count, limits.max_vertices.min(limits.max_corners))?;
-    let mut parts = Parts::default();
-    parts.positions.reserve_exact(3 * count as usize);
-    for (facet, first) in facets.chunks_exact(FACET).zip((0_u32..).step_by(3)) {
-        parts.positions.extend([12, 24, 36].map(|at| point(&facet[at..at + 12])));
-        parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
+pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) -> Result<Parsed, ReadError> {
+    let count = checked_count(source)?;
+    source.limited("faces", count as u64, limits.max_faces)?;
+    source.limited("vertices", 3 * count as u64, limits.max_vertices.min(limits.max_corners))?;
+    let mut facets = Blocks::new(source, HEAD, rest);
+    let (mut parts, mut attributes) = (Parts::default(), Attributes::default());
+    parts.positions.reserve_exact(3 * count);
+    parts.faces.reserve(3 * count);
+    let mut read = 0;
+    while read < count {
+        let block = facets.take_rows(FACET, count - read).map_err(|error| source.failed(error))?;
+        for (facet, face) in block.chunks_exact(FACET).zip(read..) {
+            let first = 3 * face as u32;
+            parts.positions.extend([12, 24, 36].map(|at| point(&facet[at..at + 12])));
+            parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
+            attributes.see(face, little_endian(&facet[FACET - 2..]) as u16);
+        }
+        read += block.len() / FACET;
     }
-    parts.layers.extend(attributes(facets));
-    let end = HEAD + facets.len();
-    let surplus = source.bytes.len() - end;
+    parts.layers.extend(attributes.layer(count));
     let message = "bytes after the last facet were skipped";
-    parts.notes.add_many(NoteKind::SurplusData, message, surplus as u64, || Place::Byte(end as u64));
+    let (surplus, end) = (facets.left() as u64, facets.at() as u64);
+    parts.notes.add_many(NoteKind::SurplusData, message, surplus, || Place::Byte(end));
     let header = &source.bytes[..HEAD - 4];
     let length = header.iter().rposition(|&b| !is_space(b) && b != 0).map_or(0, |last| last + 1);
     if length > 0 {
@@ -42,14 +52,13 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
     Ok(Parsed { mesh, variant: "stl-binary", notes })
 }
 
-/// The bytes of all facets, if they fit the count.
-fn checked_facets<'a>(source: &Source<'a>) -> Result<&'a [u8], ReadError> {
-    let bytes = source.bytes;
-    let end = Place::Byte(bytes.len() as u64);
-    let Some(claimed) = claimed_length(bytes) else {
+/// How many facets there are, if they fit the count.
+fn checked_count(source: &Source<'_>) -> Result<usize, ReadError> {
+    let end = Place::Byte(source.length as u64);
+    let Some(claimed) = claimed_length(source.bytes) else {
         return Err(source.malformed(end, "shorter than the header of a binary file"));
     };
-    let (count, room) = ((claimed as usize - HEAD) / FACET, (bytes.len() - HEAD) / FACET);
+    let (count, room) = ((claimed as usize - HEAD) / FACET, (source.length - HEAD) / FACET);
     if room < count {
         return Err(source.malformed(end, format!("{count} facets are announced, there is room for {room}")));
     }
@@ -57,19 +66,33 @@ fn checked_facets<'a>(source: &Source<'a>) -> Result<&'a [u8], ReadError> {
         let place = Place::Byte(HEAD as u64 - 4);
         return Err(source.malformed(place, format!("{count} facets are announced, but {room} are there")));
     }
-    Ok(&bytes[HEAD..HEAD + count * FACET])
+    Ok(count)
+}
+
+/// The two bytes that end each facet, from the first facet on where they are not 0.
+#[derive(Default)]
+struct Attributes(Vec<u16>);
+
+impl Attributes {
+    #[inline]
+    fn see(&mut self, face: usize, value: u16) {
+        if value != 0 {
+            self.0.resize(face, 0);
+            self.0.push(value);
+        }
+    }
+
+    /// What all faces have, if any of them has something else than 0.
+    fn layer(mut self, faces: usize) -> Option<Layer> {
+        if self.0.is_empty() {
+            return None;
+        }
+        self.0.resize(faces, 0);
+        Some(Layer::direct("attribute", Domain::Face, 1, Carry::Copy, Values::U16(self.0)))
+    }
 }
 
 #[inline]
 fn point(bytes: &[u8]) -> [f64; 3] {
     [0, 4, 8].map(|at| f64::from(f32::from_bits(little_endian(&bytes[at..at + 4]))))
-}
-
-/// The two bytes that end each facet, if any of them is not 0.
-fn attributes(facets: &[u8]) -> Option<Layer> {
-    let of_facet = |facet: &[u8]| little_endian(&facet[FACET - 2..]) as u16;
-    let values = || facets.chunks_exact(FACET).map(of_facet);
-    let is_used = values().any(|value| value != 0);
-    let layer = || Layer::direct("attribute", Domain::Face, 1, Carry::Copy, Values::U16(values().collect()));
-    is_used.then(layer)
 }

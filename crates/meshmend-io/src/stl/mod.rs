@@ -20,6 +20,8 @@ mod facets;
 mod plain;
 mod write;
 
+use std::io::{self, Read};
+
 use crate::format::Driver;
 use crate::read::{Parsed, Source};
 use crate::text::{is_space, trimmed_start, without_mark};
@@ -32,6 +34,7 @@ pub(crate) static DRIVER: Driver = Driver {
     holds_polygons: false,
     sniff,
     read,
+    read_blocks,
     encode: write::encode,
     losses: write::losses,
 };
@@ -50,7 +53,7 @@ fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let (length, is_text) = (source.bytes.len() as u64, begins_with_solid(source.bytes));
     if !is_text {
         return match claimed {
-            Some(_) => binary::read(source, limits),
+            Some(_) => binary::read(source, &mut io::empty(), limits),
             None if source.bytes.is_empty() => Err(source.malformed(Place::Byte(0), "the file is empty")),
             None => Err(source.malformed(Place::Byte(length), "neither text nor as long as a binary header")),
         };
@@ -58,10 +61,15 @@ fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     match (plain::read(source, limits), claimed) {
         (Ok(parsed), _) => Ok(parsed),
         (Err(error), _) if matches!(error.kind, ReadErrorKind::LimitExceeded { .. }) => Err(error),
-        (Err(_), Some(claimed)) if claimed <= length => binary::read(source, limits),
-        (Err(_), Some(_)) if has_binary_count(source.bytes) => binary::read(source, limits),
+        (Err(_), Some(claimed)) if claimed <= length => binary::read(source, &mut io::empty(), limits),
+        (Err(_), Some(_)) if has_binary_count(source.bytes) => binary::read(source, &mut io::empty(), limits),
         (Err(error), _) => Err(error),
     }
+}
+
+/// What can't be text is read block by block.
+fn read_blocks(head: &Source<'_>, rest: &mut dyn Read, limits: &Limits) -> Option<Result<Parsed, ReadError>> {
+    (!begins_with_solid(head.bytes)).then(|| binary::read(head, rest, limits))
 }
 
 /// Text that begins with `solid` and a facet, or binary of exactly the length that it claims.

@@ -1,10 +1,31 @@
 //! What the tests of all formats share.
 
+use std::fs;
+use std::path::PathBuf;
+
 use meshmend_core::{Domain, Layer, PolygonMesh, Values};
 use meshmend_io::{
     Encoding, Format, Loss, Note, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions,
     WriteOptions, encode, read_bytes,
 };
+
+/// An empty folder that is removed again.
+pub(crate) struct Folder(pub(crate) PathBuf);
+
+impl Folder {
+    pub(crate) fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("meshmend-io-{name}-{}", std::process::id()));
+        fs::remove_dir_all(&path).ok();
+        fs::create_dir_all(&path).unwrap();
+        Folder(path)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        fs::remove_dir_all(&self.0).ok();
+    }
+}
 
 /// Reads bytes as a format.
 pub(crate) fn try_read(format: Format, bytes: impl AsRef<[u8]>) -> Result<ReadFile, ReadError> {

@@ -1,9 +1,9 @@
 //! What holds for all formats: how they are found, and that writing is all or nothing.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use crate::common::written;
+use crate::common::{Folder, written};
 use meshmend_core::{FaceTable, PolygonMesh, VertexId};
 use meshmend_io::{
     Encoding, Format, Loss, LossKind, Place, ReadErrorKind, ReadOptions, WriteErrorKind, WriteOptions,
@@ -13,24 +13,6 @@ use meshmend_io::{
 fn triangle() -> PolygonMesh {
     let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec()).unwrap();
     PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.5]], faces).unwrap()
-}
-
-/// An empty folder that is removed again.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("meshmend-io-formats-{name}-{}", std::process::id()));
-        fs::remove_dir_all(&path).ok();
-        fs::create_dir_all(&path).unwrap();
-        Folder(path)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        fs::remove_dir_all(&self.0).ok();
-    }
 }
 
 #[test]
