@@ -14,6 +14,7 @@ mod coincident;
 mod compact;
 mod cut;
 mod edge_lengths;
+mod examined;
 mod figures;
 mod matching;
 mod mended;
@@ -39,6 +40,7 @@ pub use cut::{
     CutAlong, CutError, CutOpen, CutSeam, Discs, Piece, SquareCut, cut_open, cut_to_discs, cut_to_square,
 };
 pub use edge_lengths::edge_lengths;
+pub use examined::Examined;
 pub use figures::Figures;
 pub use mended::Mended;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};

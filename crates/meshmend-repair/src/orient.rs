@@ -279,7 +279,7 @@ impl Task<'_> {
             return Ok(());
         }
         let history = self.context.history.map(|h| h.extended(&outcome.provenance, &outcome.mesh));
-        let context = Context { history: history.as_ref(), ..*self.context };
+        let context = Context { history: history.as_ref(), report: None, ..*self.context };
         let mut found = one_sided_patches(&outcome.mesh, &context)?;
         if found.is_empty() {
             let patch = |&face: &FaceId| Defect::NonOrientablePatch { faces: vec![face], edges: Vec::new() };

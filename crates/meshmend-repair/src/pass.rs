@@ -127,6 +127,8 @@ pub struct Context<'a> {
     pub history: Option<&'a History>,
     /// Set by another thread to stop the work.
     pub cancel: Option<&'a AtomicBool>,
+    /// The topology of the mesh, if it is known already.
+    pub report: Option<&'a TopologyReport>,
 }
 
 impl Context<'_> {

@@ -1,14 +1,17 @@
 //! Passes one after another, with one record of all that was done.
 
+mod run;
+
 use std::sync::atomic::AtomicBool;
 
 use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Provenance};
 use meshmend_kernels::KernelKind;
-use meshmend_topology::TopologyReport;
+use meshmend_topology::{TopologyReport, Witness};
 
+use self::run::Run;
 use crate::figures::Figures;
 use crate::{
-    AnyPass, Context, History, Mended, NonOrientable, Orient, Outcome, PassError, PassKind, SeamFigures,
+    AnyPass, Context, Examined, Mended, NonOrientable, Orient, Outcome, PassError, PassKind, SeamFigures,
     Seams, Side,
 };
 
@@ -142,12 +145,48 @@ impl Pipeline {
         &self,
         mesh: &PolygonMesh,
         cancel: Option<&AtomicBool>,
+        observe: impl FnMut(PassKind),
+    ) -> Result<Repaired, PassError> {
+        self.run_passes(&self.passes, Run::begin(mesh, self.takes_figures), cancel, observe)
+    }
+
+    /// Repairs a mesh that was looked at before, as [`run_watched`](Self::run_watched) does. What was found out then and is
+    /// needed again is not found out again: the weld, if it is the first pass, and the topology of what it left.
+    ///
+    /// # Errors
+    /// As [`run_watched`](Self::run_watched).
+    pub fn run_examined(
+        &self,
+        examined: Examined,
+        cancel: Option<&AtomicBool>,
         mut observe: impl FnMut(PassKind),
     ) -> Result<Repaired, PassError> {
-        let mut run = Run::begin(mesh, self.takes_figures);
-        for pass in &self.passes {
+        let Examined { stored, mesh, weld, kernel, report } = examined;
+        let known = (kernel == self.kernel && report.witness == Witness::default()).then_some(report);
+        let (mut run, mut passes) = (Run::begin(&stored, self.takes_figures), self.passes.as_slice());
+        match (weld, self.passes.split_first()) {
+            (None, _) => (run.mesh, run.known) = (mesh, known),
+            (Some((weld, outcome)), Some((AnyPass::Weld(first), rest))) if *first == weld => {
+                observe(PassKind::Weld);
+                run.record(PassKind::Weld, Outcome { mesh, ..outcome });
+                (run.known, passes) = (known, rest);
+            }
+            _ => {}
+        }
+        self.run_passes(passes, run, cancel, observe)
+    }
+
+    fn run_passes(
+        &self,
+        passes: &[AnyPass],
+        mut run: Run,
+        cancel: Option<&AtomicBool>,
+        mut observe: impl FnMut(PassKind),
+    ) -> Result<Repaired, PassError> {
+        for pass in passes {
             observe(pass.kind());
-            let context = Context { kernel: self.kernel, history: Some(&run.history), cancel };
+            let report = run.known.as_ref();
+            let context = Context { kernel: self.kernel, history: Some(&run.history), cancel, report };
             context.check_cancelled()?;
             let outcome = pass.as_pass().apply(&run.mesh, &context)?;
             run.record(pass.kind(), outcome);
@@ -180,108 +219,6 @@ impl Pipeline {
             }
         }
         Ok(())
-    }
-}
-
-/// A pipeline under way.
-struct Run {
-    mesh: PolygonMesh,
-    history: History,
-    passes: Vec<PassRecord>,
-    removed_faces: Vec<RemovedFace>,
-    report: Option<Box<TopologyReport>>,
-    takes_figures: bool,
-    /// The figures of the mesh before each pass that changed it, and in the end of the last mesh, if asked for.
-    figures: Vec<Figures>,
-}
-
-impl Run {
-    fn begin(mesh: &PolygonMesh, takes_figures: bool) -> Self {
-        Run {
-            // The tables of the first mesh go when a pass has made another.
-            mesh: mesh.detached(),
-            history: History::begin(mesh),
-            passes: Vec::new(),
-            removed_faces: Vec::new(),
-            report: None,
-            takes_figures,
-            figures: Vec::new(),
-        }
-    }
-
-    fn record(&mut self, pass: PassKind, outcome: Outcome) {
-        let is_changed = !outcome.provenance.is_same() || !outcome.mended.is_empty();
-        if is_changed {
-            self.name_removed_faces(pass, &outcome);
-            self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
-            self.figures.extend(self.figures());
-            self.report = None;
-        }
-        self.mesh = outcome.mesh;
-        self.report = outcome.report.or(self.report.take());
-        self.passes.push(PassRecord {
-            pass,
-            is_changed,
-            mended: outcome.mended,
-            left: outcome.left,
-            figures: None,
-            seam: outcome.seam,
-        });
-    }
-
-    /// The figures of the present mesh, if they are asked for.
-    fn figures(&self) -> Option<Figures> {
-        let of_mesh = || self.report.as_deref().map_or_else(|| Figures::of(&self.mesh), Figures::of_report);
-        self.takes_figures.then(of_mesh)
-    }
-
-    /// Finds, for each face of which this pass left nothing, the defect that names it.
-    fn name_removed_faces(&mut self, pass: PassKind, outcome: &Outcome) {
-        let mut reasons: Vec<(FaceId, DefectKind)> = outcome
-            .mended
-            .listed()
-            .iter()
-            .filter_map(|defect| Some((removed_face(defect)?, defect.kind())))
-            .collect();
-        reasons.sort_unstable();
-        for face in outcome.provenance.removed_faces() {
-            let at = reasons.partition_point(|(named, _)| *named < face);
-            let named = reasons.get(at).filter(|(named, _)| *named == face);
-            let Some(stored) = self.history.provenance().faces.of(face) else { continue };
-            let reason = named.map_or(DefectKind::DegenerateFace, |(_, kind)| *kind);
-            self.removed_faces.push(RemovedFace { face: stored, pass, reason });
-        }
-    }
-
-    fn finish(mut self) -> Repaired {
-        self.figures.extend(self.figures());
-        if self.takes_figures {
-            let mut changes = 0;
-            for record in &mut self.passes {
-                let before = changes;
-                changes += usize::from(record.is_changed);
-                record.figures = Some([before, changes].map(|at| self.figures[at]));
-            }
-        }
-        let provenance = self.history.provenance().clone();
-        let survives = provenance.faces.survivors(provenance.before.faces);
-        let mut removed_faces = self.removed_faces;
-        // A face that was split has several parts, and is gone only when all of them are.
-        removed_faces.retain(|removed| !survives[removed.face.0 as usize]);
-        removed_faces.sort_by_key(|removed| removed.face);
-        removed_faces.dedup_by_key(|removed| removed.face);
-        Repaired { mesh: self.mesh, provenance, passes: self.passes, removed_faces, report: self.report }
-    }
-}
-
-/// The face that a defect names, for the kinds that make a face go.
-fn removed_face(defect: &Defect) -> Option<FaceId> {
-    match *defect {
-        Defect::DegenerateFace { face }
-        | Defect::NonFiniteFace { face, .. }
-        | Defect::DuplicateFace { face, .. }
-        | Defect::OppositeFace { face, .. } => Some(face),
-        _ => None,
     }
 }
 

@@ -1,4 +1,5 @@
-//! Looks at the whole mesh afresh, and changes nothing.
+//! Looks at the whole mesh afresh, and changes nothing. A mesh that was looked at already, and to which nothing was done
+//! since, is not looked at again.
 //!
 //! *Why*: what a repair claims is not what it did but what is there now. A pipeline ends with it and checks the
 //! promises of its passes against the figures: a promise that does not hold is an error of the program.
@@ -41,7 +42,10 @@ impl Pass for Recompute {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        let report = context.kernel.run(mesh.complex(), Task { mesh })?;
+        let report = match context.report {
+            Some(report) => report.clone(),
+            None => context.kernel.run(mesh.complex(), Task { mesh })?,
+        };
         let wrong = DefectKind::ALL.iter().filter(|kind| kind.severity() == Severity::Defect);
         let left = wrong.flat_map(|&kind| report.defects.of_kind(kind)).collect();
         Ok(Outcome { left, report: Some(Box::new(report)), ..Outcome::unchanged(mesh) })

@@ -1,5 +1,7 @@
 //! All figures of a mesh in one answer.
 
+use std::sync::Arc;
+
 use meshmend_core::{Connectivity, DefectKind, PolygonMesh, vertex_classes};
 use serde::Serialize;
 
@@ -85,7 +87,7 @@ pub struct TopologyReport {
     pub undefined: Vec<Undefined>,
     /// Where everything is that is wrong; apart from the figures, as it can be long.
     #[serde(skip)]
-    pub defects: DefectList,
+    pub defects: Arc<DefectList>,
 }
 
 /// How many faces repeat an earlier one, by the way in which they do.
@@ -161,7 +163,7 @@ pub fn topology_with<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: W
     let facts = component_facts(kernel, &components, &patches, &vertex_classes, &boundary_loops(kernel));
     let (orientability, is_least) = witnesses(kernel, &patches, witness);
     let (defects, betti) = rayon::join(
-        || DefectList::find(kernel, mesh, &vertex_classes, orientability),
+        || Arc::new(DefectList::find(kernel, mesh, &vertex_classes, orientability)),
         || betti(kernel, &components, &patches),
     );
 

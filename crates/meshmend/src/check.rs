@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use meshmend_core::{Connectivity, Defect, DefectKind, FaceId, PolygonMesh, Severity, VertexId};
-use meshmend_kernels::{KernelKind, KernelTask};
-use meshmend_repair::{PassError, coincident_vertices};
-use meshmend_topology::{TopologyReport, Witness, topology_with};
+use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Severity, VertexId};
+use meshmend_kernels::KernelKind;
+use meshmend_repair::{Examined, PassError, Weld, coincident_vertices};
+use meshmend_topology::{TopologyReport, Witness};
 use serde::Serialize;
 
 use crate::View;
@@ -70,45 +70,47 @@ pub struct KernelVerdict {
 /// *Cost*: near-linear, but for shortest witnesses, which cost what
 /// [`one_sided_loops`](meshmend_topology::one_sided_loops) does; one sort of the positions to tell what welding would join.
 pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, PassError> {
-    let viewed = options.view.of(mesh)?;
-    let topology =
-        options.kernel.run(viewed.complex(), Analyse { mesh: &viewed, witness: options.witness })?;
-    let report = CheckReport::of_topology(viewed, topology);
-    Ok(CheckReport {
-        view: options.view,
-        stored: StoredCounts::of(mesh),
-        coincident: if options.view == View::Indexed { report.coincident } else { Vec::new() },
-        ..report
-    })
+    Ok(CheckReport::of_examined(mesh, options, &options.examine(mesh)?))
 }
 
-struct Analyse<'a> {
-    mesh: &'a PolygonMesh,
-    witness: Witness,
+/// Checks a mesh that is to be repaired, as [`check`] does. With what it found out comes what spares
+/// [`Pipeline::run_examined`](meshmend_repair::Pipeline::run_examined) from finding it out again.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_before_repair(
+    mesh: &PolygonMesh,
+    options: &CheckOptions,
+) -> Result<(CheckReport, Examined), PassError> {
+    let examined = options.examine(mesh)?;
+    Ok((CheckReport::of_examined(mesh, options, &examined), examined))
 }
 
-impl KernelTask for Analyse<'_> {
-    type Output = TopologyReport;
-    fn run<K: Connectivity>(self, kernel: &K) -> TopologyReport {
-        topology_with(kernel, self.mesh, self.witness)
+impl CheckOptions {
+    fn examine(&self, mesh: &PolygonMesh) -> Result<Examined, PassError> {
+        let weld = self.view.distance().map(|distance| Weld { distance });
+        Examined::of(mesh, weld, self.kernel, self.witness)
     }
 }
 
 impl CheckReport {
     /// The report on a mesh as stored whose topology is known already, as it is after a repair.
     ///
-    /// *Cost*: one sort of the positions.
+    /// *Cost*: an exact weld.
     pub fn of_topology(mesh: PolygonMesh, topology: TopologyReport) -> Self {
-        let lowest = coincident_vertices(&mesh);
+        Self::new(View::Indexed, StoredCounts::of(&mesh), mesh, topology)
+    }
+
+    fn of_examined(stored: &PolygonMesh, options: &CheckOptions, examined: &Examined) -> Self {
+        let (mesh, topology) = (examined.mesh().clone(), examined.report().clone());
+        Self::new(options.view, StoredCounts::of(stored), mesh, topology)
+    }
+
+    fn new(view: View, stored: StoredCounts, mesh: PolygonMesh, topology: TopologyReport) -> Self {
+        let lowest = if view == View::Indexed { coincident_vertices(&mesh) } else { Vec::new() };
         let joined = (0..).map(VertexId).zip(lowest).filter(|(vertex, lowest)| vertex != lowest);
-        let mut report = CheckReport {
-            view: View::Indexed,
-            stored: StoredCounts::of(&mesh),
-            coincident: joined.collect(),
-            kernels: Vec::new(),
-            topology,
-            mesh,
-        };
+        let coincident = joined.collect();
+        let mut report = CheckReport { view, stored, mesh, topology, kernels: Vec::new(), coincident };
         report.kernels = KernelKind::ALL.iter().map(|&kernel| report.verdict(kernel)).collect();
         report
     }

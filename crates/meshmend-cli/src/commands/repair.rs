@@ -7,7 +7,8 @@ use clap::Args;
 use meshmend::io::replace_file;
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
-    CheckOptions, CheckReport, KernelKind, PolygonMesh, ReadFile, Repaired, View, WriteOptions, check,
+    CheckOptions, CheckReport, Examined, KernelKind, PassKind, PolygonMesh, ReadFile, Repaired, View,
+    WriteOptions, check, check_before_repair,
 };
 
 use super::check::json_line;
@@ -79,8 +80,12 @@ impl Repair {
         let file = read(&self.input)?;
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         progress.step("check");
-        let before = if self.quiet { None } else { Some(self.before(&file)?) };
-        let run = pipeline.run_watched(&file.mesh, None, |pass| progress.step(pass.name()));
+        let (before, examined) = if self.quiet { None } else { Some(self.before(&file)?) }.unzip();
+        let observe = |pass: PassKind| progress.step(pass.name());
+        let run = match examined {
+            Some(examined) => pipeline.run_examined(examined, None, observe),
+            None => pipeline.run_watched(&file.mesh, None, observe),
+        };
         let mut repaired = run.map_err(failed)?;
         progress.step("report");
         let mut document = RepairDocument::new(&file.mesh, &repaired, self.limit);
@@ -121,11 +126,11 @@ impl Repair {
         }
     }
 
-    fn before(&self, file: &ReadFile) -> Result<CheckDocument, Failure> {
+    fn before(&self, file: &ReadFile) -> Result<(CheckDocument, Examined), Failure> {
         let options = CheckOptions { view: View::usual_for(file.format), ..CheckOptions::default() };
-        let report =
-            check(&file.mesh, &options).map_err(|error| Failure::of_pass(&name(&self.input), &error))?;
-        Ok(CheckDocument::new(report, self.limit).of_file(name(&self.input), file))
+        let (report, examined) = check_before_repair(&file.mesh, &options)
+            .map_err(|error| Failure::of_pass(&name(&self.input), &error))?;
+        Ok((CheckDocument::new(report, self.limit).of_file(name(&self.input), file), examined))
     }
 
     /// The state after: what `recompute` found, or a check where the plan leaves that out.

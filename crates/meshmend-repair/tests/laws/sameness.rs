@@ -4,10 +4,11 @@ use std::sync::OnceLock;
 
 use meshmend_core::{Defect, PolygonMesh, Provenance};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{Context, Outcome, PassError, Pipeline};
+use meshmend_repair::{Context, Distance, Examined, Outcome, PassError, Pipeline, Repaired, Weld};
 use meshmend_testkit::damage::Damage;
 use meshmend_testkit::shapes::{self, Tiles};
 use meshmend_testkit::worlds;
+use meshmend_topology::Witness;
 use proptest::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -46,10 +47,13 @@ impl Given {
     }
 
     fn by_pipeline(pipeline: &Pipeline, mesh: &PolygonMesh) -> Result<Self, PassError> {
-        let repaired = pipeline.run(mesh)?;
+        pipeline.run(mesh).map(|repaired| Given::in_all(&repaired))
+    }
+
+    fn in_all(repaired: &Repaired) -> Self {
         let mended = repaired.passes.iter().flat_map(|pass| pass.mended.iter()).collect();
         let left = repaired.passes.iter().flat_map(|pass| pass.left.clone()).collect();
-        Ok(Given::of(&repaired.mesh, &repaired.provenance, mended, left))
+        Given::of(&repaired.mesh, &repaired.provenance, mended, left)
     }
 }
 
@@ -87,6 +91,32 @@ fn assert_pipeline_is_the_same(pipeline: &Pipeline, mesh: &PolygonMesh) {
     assert_same_everywhere(&format!("{:?}", pipeline.passes()), |kernel| {
         Given::by_pipeline(&pipeline.clone().on_kernel(kernel), mesh)
     });
+}
+
+/// A mesh that was looked at before, as stored or as some weld makes it, is repaired as any other.
+fn assert_looking_before_is_the_same(pipeline: &Pipeline, mesh: &PolygonMesh) {
+    let pipeline = pipeline.clone().with_figures();
+    let told = |repaired: Result<Repaired, PassError>| {
+        let told =
+            |r: Repaired| (Given::in_all(&r), format!("{:?} {:?} {:?}", r.passes, r.removed_faces, r.report));
+        repaired.map(told).map_err(|error| error.to_string())
+    };
+    let expected = told(pipeline.run(mesh));
+    let distances = [Distance::Exact, Distance::Absolute(0.5), Distance::Relative(0.01)];
+    let welds = distances.map(|distance| Some(Weld { distance }));
+    for weld in welds.into_iter().chain([None]) {
+        for kernel in [KernelKind::default(), KernelKind::HalfEdge] {
+            for witness in [Witness::BreadthFirst, Witness::Shortest] {
+                match Examined::of(mesh, weld.clone(), kernel, witness) {
+                    Ok(examined) => {
+                        let found = told(pipeline.run_examined(examined, None, |_| {}));
+                        assert_eq!(found, expected, "{weld:?} {kernel} {witness:?}");
+                    }
+                    Err(error) => assert!(matches!(error, PassError::Refused(_)), "{error}"),
+                }
+            }
+        }
+    }
 }
 
 /// Large enough for work to be shared between threads, and with something for every pass to do.
@@ -133,6 +163,17 @@ proptest! {
     #[test]
     fn pipelines_on_soups(soup in worlds::any_table(10), pipeline in any_pipeline()) {
         assert_pipeline_is_the_same(&pipeline, &soup.numbered());
+    }
+
+    #[test]
+    fn looking_before(soup in worlds::any_table(10), pipeline in any_pipeline()) {
+        assert_looking_before_is_the_same(&pipeline, &soup.numbered());
+    }
+
+    #[test]
+    fn looking_before_at_damaged_shapes((_, _, soup) in worlds::damaged_shape(), pipeline in any_pipeline()) {
+        assert_looking_before_is_the_same(&pipeline, &soup.numbered());
+        assert_looking_before_is_the_same(&Pipeline::default(), &soup.numbered());
     }
 
     #[test]
