@@ -1,18 +1,18 @@
 //! Which points are within a distance of each other, without missing a pair across a cell's wall.
 //!
-//! Space is divided into cubes so small that any two points in one cube are near, and four cubes along each axis are a
+//! Space is divided into cubes so small that any two points in one cube are near, and eight cubes along each axis are a
 //! cell. Near points are in cubes up to two steps apart, so in one cell or in cells beside each other:
 //!
 //! ```text
-//! ┌─┬─┬─┬─╥─┬─┬─┬─╥       points are sorted by cell and cube; for each row of cells beside a cell a pointer runs
-//! ├─┼─┼─┼─╫─┼─┼─┼─╫       along once
-//! ├─┼─┼a┼b╫─┼─┼─┼─╫       a and b: compared within the cell
-//! ├─┼─┼─┼c╫d┼─┼─┼─╫       c and d: compared across the wall
-//! ╞═╪═╪═╪═╬═╪═╪═╪═╬
+//! ┌─┬─┬─┬─┬─┬─┬─┬─╥─┬─┬─┬─      points are sorted by cell and cube; for each row of cells beside a cell a pointer
+//! ├─┼─┼─┼─┼a┼b┼─┼─╫─┼─┼─┼─      runs along once
+//! ├─┼─┼─┼─┼─┼─┼─┼─╫─┼─┼─┼─      a and b: compared within the cell; they reach no cell beside it
+//! ├─┼─┼─┼─┼─┼─┼─┼c╫d┼─┼─┼─      c and d: compared across the wall
 //! ```
 //!
 //! Cubes are only compared while they are not joined already.
 
+mod ahead;
 mod pairs;
 mod places;
 
@@ -21,12 +21,16 @@ use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
 use crate::{Context, PassError};
+use ahead::{AHEAD, ROWS, ahead_in_row, reaches};
 use pairs::Nearness;
-use places::{Cube, Layout, Packed, Places, Spread};
+use places::{Grid, InCell, Packed, Places, Spread, steps_between};
 
 /// The side of a cube in parts of the distance. Less than 1/√3, so that a cube's diagonal is within the distance, and
 /// more than 1/2, so that the distance is within two sides; both by more than what quotients are rounded by.
 const SIDE: f64 = 0.54;
+
+/// How many cubes apart along an axis near points may be.
+const REACH: i8 = 2;
 
 /// Quotients of this size have no fraction left to tell cubes apart reliably.
 const LARGEST_QUOTIENT: f64 = (1u64 << 48) as f64;
@@ -34,12 +38,9 @@ const LARGEST_QUOTIENT: f64 = (1u64 << 48) as f64;
 /// After so many cells a request to stop is looked for.
 const CELLS_BETWEEN_LOOKS: usize = 1 << 16;
 
-/// The rows of cells along z beside a cell, by their steps along x and y; the other half comes from the other side.
-const ROWS: [[i8; 2]; 5] = [[0, 0], [0, 1], [1, -1], [1, 0], [1, 1]];
-
 /// For each point the lowest one of its class: the connected components of "distance ≤ ε" among the finite points.
 ///
-/// *Cost*: sorting the points; some 50 bytes a point, or 60 and more where ε is small beside the extent.
+/// *Cost*: sorting the points; some 40 bytes a point, 60 and more where few are near each other.
 ///
 /// # Errors
 /// When ε is so small beside the coordinates that doubles can't resolve it.
@@ -57,13 +58,10 @@ pub(crate) fn classes(
         );
         return Err(PassError::Request { pass: "weld", reason });
     }
-    let sides = side.recip();
-    let cube_of = |[x, y, z]: [f64; 3]| [floor(x * sides), floor(y * sides), floor(z * sides)];
-    let layout = Layout::of(cube_of(low), cube_of(high), points.len());
-    match layout.bits {
-        Some(..=64) => Cloud::new(points, epsilon, Packed::<u64>::new(layout), cube_of).classes(context),
-        Some(_) => Cloud::new(points, epsilon, Packed::<u128>::new(layout), cube_of).classes(context),
-        None => Cloud::new(points, epsilon, Spread, cube_of).classes(context),
+    let (grid, near) = (Grid::of_side(side), Nearness::within(epsilon));
+    match Packed::between(grid, low, high) {
+        Some(places) => Cloud::new(points, near, places).classes(context),
+        None => Cloud::new(points, near, Spread(grid)).classes(context),
     }
 }
 
@@ -98,94 +96,72 @@ fn bounds(points: &[[f64; 3]]) -> Option<([f64; 3], [f64; 3])> {
     (bounds.0[0] <= bounds.1[0]).then_some(bounds)
 }
 
-/// The largest whole number that is not more; the library's function is a call on older processors.
-fn floor(x: f64) -> i64 {
-    let towards_zero = x as i64;
-    towards_zero - i64::from(x < towards_zero as f64)
-}
-
 fn is_finite(point: &[f64; 3]) -> bool {
     point.iter().all(|x| x.is_finite())
 }
 
-/// The finite points, by cell and cube.
+/// Points by cell and cube.
 struct Cloud<'a, P: Places> {
     points: &'a [[f64; 3]],
     near: Nearness,
     places: P,
-    entries: Vec<P::Entry>,
-    positions: Vec<[f64; 3]>,
-    /// Where the entries of each cube begin, and one more.
-    cubes: Vec<u32>,
+    /// The finite points by cell, then cube, then name.
+    order: Vec<u32>,
+    /// The cubes that have points, with where those begin, and one more.
+    cubes: Vec<(InCell, u32)>,
+    /// One position of each cube: mostly it is near enough, and the others need not be looked up.
+    firsts: Vec<[f64; 3]>,
     cells: Vec<P::Cell>,
     /// Where the cubes of each cell begin, and one more.
     cell_cubes: Vec<u32>,
 }
 
 impl<'a, P: Places> Cloud<'a, P> {
-    fn new(
-        points: &'a [[f64; 3]],
-        epsilon: f64,
-        places: P,
-        cube_of: impl Fn([f64; 3]) -> Cube + Sync,
-    ) -> Self {
-        let entry = |(&p, point): (&[f64; 3], u32)| places.entry(cube_of(p), point);
-        let numbered = || points.par_iter().zip(0..points.len() as u32);
-        let are_finite = points.par_chunks(CHUNK).all(|points| points.iter().all(is_finite));
-        let mut entries: Vec<P::Entry> = if are_finite {
-            numbered().map(entry).collect()
-        } else {
-            numbered().filter(|(p, _)| is_finite(p)).map(entry).collect()
-        };
-        entries.par_sort_unstable();
-        let positions = entries.par_iter().map(|&e| points[places.point(e) as usize]).collect();
+    fn new(points: &'a [[f64; 3]], near: Nearness, places: P) -> Self {
+        let mut order = Vec::with_capacity(points.len());
         let (mut cubes, mut cells, mut cell_cubes) = (Vec::new(), Vec::new(), Vec::new());
         let mut last = None;
-        for (at, &entry) in (0..).zip(&entries) {
-            let (cell, cube) = (places.cell(entry), places.cube(entry));
-            if last.is_none_or(|(last_cell, _)| last_cell != cell) {
-                cell_cubes.push(cubes.len() as u32);
-                cells.push(cell);
+        places.visit_sorted(points, |cell, at, point| {
+            if last != Some((cell, at)) {
+                if last.is_none_or(|(last_cell, _)| last_cell != cell) {
+                    cell_cubes.push(cubes.len() as u32);
+                    cells.push(cell);
+                }
+                cubes.push((at, order.len() as u32));
+                last = Some((cell, at));
             }
-            if last != Some((cell, cube)) {
-                cubes.push(at);
-            }
-            last = Some((cell, cube));
-        }
+            order.push(point);
+        });
         cell_cubes.push(cubes.len() as u32);
-        cubes.push(entries.len() as u32);
-        Cloud {
-            points,
-            near: Nearness::within(epsilon),
-            places,
-            entries,
-            positions,
-            cubes,
-            cells,
-            cell_cubes,
-        }
+        let first = |&(_, start): &(InCell, u32)| points[order[start as usize] as usize];
+        let firsts = cubes.par_iter().map(first).collect();
+        cubes.push((0, order.len() as u32));
+        Cloud { near, places, points, firsts, order, cubes, cells, cell_cubes }
     }
 
     fn classes(&self, context: &Context<'_>) -> Result<Vec<VertexId>, PassError> {
         let mut joined = UnionFind::new(self.cubes.len() - 1);
         let mut rows = ROWS.map(|step| (step, 0));
-        for cell in 0..self.cells.len() {
+        for (cell, &place) in self.cells.iter().enumerate() {
             if cell % CELLS_BETWEEN_LOOKS == 0 {
                 context.check_cancelled()?;
             }
             self.join_within(cell, &mut joined);
-            for ([dx, dy], next) in &mut rows {
-                let lowest_z = if [*dx, *dy] == [0, 0] { 1 } else { -1 };
-                let from = self.places.beside(self.cells[cell], [*dx, *dy, lowest_z]);
-                while self.cells.get(*next).is_some_and(|other| *other < from) {
-                    *next += 1;
+            let cubes = &self.cubes[self.cubes_of(cell)];
+            let ahead = cubes.iter().fold(0, |ahead, &(at, _)| ahead | AHEAD[at as usize]);
+            for (row, ([dx, dy], next)) in rows.iter_mut().enumerate() {
+                let mut steps = ahead_in_row(ahead, row).peekable();
+                if steps.peek().is_none() {
+                    continue;
                 }
+                *next += self.cells_before(*next, self.places.beside(place, [*dx, *dy, -1]));
                 let mut other = *next;
-                for dz in lowest_z..=1 {
-                    let wanted = self.places.beside(self.cells[cell], [*dx, *dy, dz]);
+                for dz in steps {
+                    let step = [*dx, *dy, dz];
+                    let wanted = self.places.beside(place, step);
+                    other += self.cells_before(other, wanted);
                     if self.cells.get(other) == Some(&wanted) {
-                        self.join_across(cell, other, [*dx, *dy, dz], &mut joined);
-                        other += 1;
+                        self.join_across(cell, other, step, &mut joined);
                     }
                 }
             }
@@ -193,63 +169,76 @@ impl<'a, P: Places> Cloud<'a, P> {
         Ok(self.lowest(&mut joined))
     }
 
-    fn cubes_of(&self, cell: usize) -> std::ops::Range<u32> {
-        self.cell_cubes[cell]..self.cell_cubes[cell + 1]
+    /// How many cells from this one on come before a place.
+    fn cells_before(&self, first: usize, place: P::Cell) -> usize {
+        self.cells[first..].iter().take_while(|&&other| other < place).count()
+    }
+
+    fn cubes_of(&self, cell: usize) -> std::ops::Range<usize> {
+        self.cell_cubes[cell] as usize..self.cell_cubes[cell + 1] as usize
     }
 
     fn join_within(&self, cell: usize, joined: &mut UnionFind<u32>) {
-        for one in self.cubes_of(cell) {
-            for other in one + 1..self.cell_cubes[cell + 1] {
-                self.join_cubes(one, other, [0; 3], joined);
+        let cubes = self.cubes_of(cell);
+        for one in cubes.clone() {
+            for other in one + 1..cubes.end {
+                let way = steps_between(self.cubes[one].0, self.cubes[other].0, [0; 3]);
+                // They are sorted along the first axis.
+                if way[0] > REACH {
+                    break;
+                }
+                self.join_cubes(one, other, way, joined);
             }
         }
     }
 
     /// Joins the cubes of a cell with those of the cell a step away.
     fn join_across(&self, cell: usize, beside: usize, step: [i8; 3], joined: &mut UnionFind<u32>) {
-        for one in self.cubes_of(cell) {
+        for one in self.cubes_of(cell).filter(|&one| reaches(self.cubes[one].0, step)) {
             for other in self.cubes_of(beside) {
-                self.join_cubes(one, other, step, joined);
+                let way = steps_between(self.cubes[one].0, self.cubes[other].0, step);
+                if way[0] > REACH {
+                    break;
+                }
+                self.join_cubes(one, other, way, joined);
             }
         }
     }
 
-    fn join_cubes(&self, one: u32, other: u32, step: [i8; 3], joined: &mut UnionFind<u32>) {
-        let [a, b] =
-            [one, other].map(|cube| self.places.cube(self.entries[self.cubes[cube as usize] as usize]));
-        let are_beside = (0..3).all(|axis| (b[axis] + 4 * step[axis] - a[axis]).abs() <= 2);
+    /// Joins two cubes so many steps apart, if they have near points.
+    fn join_cubes(&self, one: usize, other: usize, way: [i8; 3], joined: &mut UnionFind<u32>) {
+        let are_beside = way.iter().all(|steps| steps.abs() <= REACH);
         if are_beside
-            && !joined.equiv(one, other)
-            && self.near.any(self.points_of(one), self.points_of(other))
+            && !joined.equiv(one as u32, other as u32)
+            && (self.near.are_near(self.firsts[one], self.firsts[other])
+                || self.near.any(self.positions_of(one), self.positions_of(other)))
         {
-            joined.union(one, other);
+            joined.union(one as u32, other as u32);
         }
     }
 
-    fn points_of(&self, cube: u32) -> impl ExactSizeIterator<Item = [f64; 3]> + Clone {
-        self.positions[self.cubes[cube as usize] as usize..self.cubes[cube as usize + 1] as usize]
-            .iter()
-            .copied()
+    fn points_of(&self, cube: usize) -> std::ops::Range<usize> {
+        self.cubes[cube].1 as usize..self.cubes[cube + 1].1 as usize
     }
 
-    fn entries_of(&self, cube: u32) -> &[P::Entry] {
-        &self.entries[self.cubes[cube as usize] as usize..self.cubes[cube as usize + 1] as usize]
+    fn positions_of(&self, cube: usize) -> impl ExactSizeIterator<Item = [f64; 3]> + Clone {
+        self.order[self.points_of(cube)].iter().map(|&point| self.points[point as usize])
     }
 
     /// The lowest point of the class of each point.
     fn lowest(&self, joined: &mut UnionFind<u32>) -> Vec<VertexId> {
-        let count = self.cubes.len() as u32 - 1;
-        let mut lowest_of = vec![u32::MAX; count as usize];
+        let count = self.cubes.len() - 1;
+        let mut lowest_of = vec![u32::MAX; count];
         for cube in 0..count {
-            let root = joined.find_mut(cube) as usize;
-            // The entries of a cube are sorted by point.
-            lowest_of[root] = lowest_of[root].min(self.places.point(self.entries_of(cube)[0]));
+            let root = joined.find_mut(cube as u32) as usize;
+            // The points of a cube are sorted.
+            lowest_of[root] = lowest_of[root].min(self.order[self.points_of(cube).start]);
         }
         let mut lowest: Vec<VertexId> = (0..self.points.len()).map(VertexId::new).collect();
         for cube in 0..count {
-            let class = VertexId(lowest_of[joined.find(cube) as usize]);
-            for &entry in self.entries_of(cube) {
-                lowest[self.places.point(entry) as usize] = class;
+            let class = VertexId(lowest_of[joined.find(cube as u32) as usize]);
+            for &point in &self.order[self.points_of(cube)] {
+                lowest[point as usize] = class;
             }
         }
         lowest

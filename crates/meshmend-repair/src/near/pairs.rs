@@ -30,7 +30,7 @@ impl Nearness {
     }
 
     /// Whether two points are within the distance of each other.
-    fn are_near(&self, a: [f64; 3], b: [f64; 3]) -> bool {
+    pub(super) fn are_near(&self, a: [f64; 3], b: [f64; 3]) -> bool {
         self.is_near([a[0] - b[0], a[1] - b[1], a[2] - b[2]])
     }
 

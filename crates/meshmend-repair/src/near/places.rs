@@ -1,174 +1,222 @@
-//! Where points are, written so that sorting brings near ones together.
+//! Where points are, and points in the order of their places.
 //!
-//! Four cubes along each axis are a cell. A word has a point's cell, its cube in that cell, and the point:
+//! Eight cubes along each axis are a cell. Where the points lie is a box of cells, and a place in there is a number:
 //!
 //! ```text
-//! │ cell: x, y, z │ cube: x, y, z, two bits each │ point │
+//! place   │ cell: x, y, z                            │ cube: x, y, z, three bits each │
+//! word              │ what is left of the place                                       │ point │
+//!         ╰───┬────╯
+//!           part
 //! ```
 //!
-//! Many clouds fit words of 64 bits, others 128; [`Spread`] takes any.
+//! Places are parted by their highest bits, so that the rest and the point fit a word, and words are sorted within each part.
+//! What is too far apart for that is written out ([`Spread`]).
 
-use std::marker::PhantomData;
-use std::ops::{Shl, Shr};
+use rayon::prelude::*;
 
 /// A cube's place, in sides.
 pub(super) type Cube = [i64; 3];
 
-/// Bits of a cube in its cell.
-const CUBE_BITS: u32 = 6;
+/// A cube's place in its cell: three bits an axis.
+pub(super) type InCell = u16;
 
-/// How a point and its place are written.
-pub(super) trait Places: Sync {
-    /// A point with its place; sorts by cell, then cube, then point.
-    type Entry: Copy + Ord + Send + Sync;
-    /// Sorts as the entries do.
+/// Cubes along each axis of a cell.
+pub(super) const PLACES: i8 = 8;
+/// Cubes of a cell.
+pub(super) const CUBES: usize = 1 << CUBE_BITS;
+const CUBE_BITS: u32 = 9;
+
+/// Points have so many parts at most: more would wait for memory by themselves.
+const MOST_PART_BITS: u32 = 11;
+/// And so many points are a part on average at least, if all fit words.
+const LEAST_PART_BITS: u32 = 8;
+/// Fewer words are sorted on one thread.
+const FEW: usize = 1 << 14;
+
+/// Points by their places.
+pub(super) trait Places {
+    /// Ascends as points are visited.
     type Cell: Copy + Ord;
 
-    fn entry(&self, cube: Cube, point: u32) -> Self::Entry;
-    fn point(&self, entry: Self::Entry) -> u32;
-    /// The cube's place in its cell: 0 to 3 along each axis.
-    fn cube(&self, entry: Self::Entry) -> [i8; 3];
-    fn cell(&self, entry: Self::Entry) -> Self::Cell;
+    /// Visits the finite points by cell, then cube, then name.
+    fn visit_sorted(&self, points: &[[f64; 3]], visit: impl FnMut(Self::Cell, InCell, u32));
+
     /// The cell up to one step away along each axis.
     fn beside(&self, cell: Self::Cell, step: [i8; 3]) -> Self::Cell;
 }
 
-/// The cell of a cube and its place in there.
-fn split(cube: Cube) -> (Cube, [i8; 3]) {
-    (cube.map(|x| x >> 2), cube.map(|x| (x & 3) as i8))
+/// Space divided into cubes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grid {
+    /// How many sides there are to a unit.
+    sides: f64,
 }
 
-/// What words have to hold.
+impl Grid {
+    pub(super) fn of_side(side: f64) -> Self {
+        Grid { sides: side.recip() }
+    }
+
+    fn cube_of(self, [x, y, z]: [f64; 3]) -> Cube {
+        [floor(x * self.sides), floor(y * self.sides), floor(z * self.sides)]
+    }
+}
+
+/// The largest whole number that is not more; the library's function is a call on older processors.
+fn floor(x: f64) -> i64 {
+    let towards_zero = x as i64;
+    towards_zero - i64::from(x < towards_zero as f64)
+}
+
+fn cell_of(cube: Cube) -> Cube {
+    cube.map(|x| x >> 3)
+}
+
+fn cube_in_cell([x, y, z]: Cube) -> InCell {
+    ((x & 7) << 6 | (y & 7) << 3 | z & 7) as InCell
+}
+
+/// A cube's place in its cell along each axis.
+pub(super) const fn in_cell(at: InCell) -> [i8; 3] {
+    [(at >> 6 & 7) as i8, (at >> 3 & 7) as i8, (at & 7) as i8]
+}
+
+/// How many cubes it is from one to another one, which is in the cell so many steps away.
+pub(super) fn steps_between(one: InCell, other: InCell, step: [i8; 3]) -> [i8; 3] {
+    let (a, b) = (in_cell(one), in_cell(other));
+    [0, 1, 2].map(|axis| b[axis] + PLACES * step[axis] - a[axis])
+}
+
+/// Places as numbers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Layout {
-    /// The lowest cell, less one: so a step down never leaves the words.
+pub(super) struct Packed {
+    grid: Grid,
+    /// The lowest cell, less one: so a step down is a number too.
     origin: Cube,
     /// How many cells there are along y and z, with one more at either end.
     y: u64,
     z: u64,
+    place_bits: u32,
+}
+
+impl Packed {
+    /// For points between these, if there are few enough places.
+    pub(super) fn between(grid: Grid, low: [f64; 3], high: [f64; 3]) -> Option<Self> {
+        let [low, high] = [low, high].map(|point| cell_of(grid.cube_of(point)));
+        let origin = low.map(|x| x - 1);
+        let [x, y, z] = [0, 1, 2].map(|axis| (high[axis] + 2 - origin[axis]) as u64);
+        let places = x.checked_mul(y)?.checked_mul(z)?.checked_mul(CUBES as u64)?;
+        let place_bits = u64::BITS - places.leading_zeros();
+        (place_bits < u64::BITS).then_some(Packed { grid, origin, y, z, place_bits })
+    }
+
+    /// The place of a point; beyond all places if it is not finite.
+    fn place(&self, point: [f64; 3]) -> u64 {
+        if !point.iter().all(|x| x.is_finite()) {
+            return u64::MAX;
+        }
+        let cube = self.grid.cube_of(point);
+        let cell = cell_of(cube);
+        let [x, y, z] = [0, 1, 2].map(|axis| (cell[axis] - self.origin[axis]) as u64);
+        ((x * self.y + y) * self.z + z) << CUBE_BITS | u64::from(cube_in_cell(cube))
+    }
+
+    fn parts(&self, points: &[[f64; 3]]) -> Parts {
+        let places: Vec<u64> = points.par_iter().map(|&point| self.place(point)).collect();
+        let point_bits = points.len().next_power_of_two().ilog2();
+        let part_bits = point_bits.saturating_sub(LEAST_PART_BITS).min(MOST_PART_BITS);
+        let rest_bits = self.place_bits.saturating_sub(part_bits).min(u64::BITS - point_bits);
+        let mut starts = vec![0u32; 1 << (self.place_bits - rest_bits)];
+        for place in &places {
+            if let Some(count) = starts.get_mut((place >> rest_bits) as usize) {
+                *count += 1;
+            }
+        }
+        let mut total = 0;
+        for start in &mut starts {
+            total += std::mem::replace(start, total);
+        }
+        let mut words = vec![0u64; total as usize];
+        let rest = (1u64 << rest_bits) - 1;
+        for (place, point) in places.iter().zip(0..) {
+            if let Some(next) = starts.get_mut((place >> rest_bits) as usize) {
+                words[*next as usize] = (place & rest) << point_bits | point;
+                *next += 1;
+            }
+        }
+        // Each start has moved on to where the part after it begins.
+        starts.insert(0, 0);
+        sort_parts(&mut words, &starts);
+        Parts { starts, words, point_bits, rest_bits }
+    }
+}
+
+/// Words sorted by parts.
+struct Parts {
+    /// Where each part begins, and one more.
+    starts: Vec<u32>,
+    words: Vec<u64>,
     point_bits: u32,
-    /// Of all, if 64 are enough for the cells.
-    pub(super) bits: Option<u32>,
+    rest_bits: u32,
 }
 
-impl Layout {
-    /// For so many points in the cubes from `low` to `high`.
-    pub(super) fn of(low: Cube, high: Cube, points: usize) -> Self {
-        let origin = split(low).0.map(|x| x - 1);
-        let last = split(high).0;
-        let [x, y, z] = [0, 1, 2].map(|axis| (last[axis] + 2 - origin[axis]) as u64);
-        let cells = y.checked_mul(z).and_then(|cells| cells.checked_mul(x));
-        let point_bits = (points as u64).next_power_of_two().ilog2();
-        let bits = cells.map(|cells| u64::BITS - cells.leading_zeros() + CUBE_BITS + point_bits);
-        Layout { origin, y, z, point_bits, bits }
+/// Sorts each part, of which these are the starts and the end of the last one.
+fn sort_parts(words: &mut [u64], starts: &[u32]) {
+    let parts = starts.len() - 1;
+    if parts <= 1 || words.len() < FEW {
+        let mut rest = words;
+        for bounds in starts.windows(2) {
+            let (part, after) = rest.split_at_mut((bounds[1] - bounds[0]) as usize);
+            part.sort_unstable();
+            rest = after;
+        }
+        return;
     }
+    let (low, high) = words.split_at_mut((starts[parts / 2] - starts[0]) as usize);
+    rayon::join(|| sort_parts(low, &starts[..=parts / 2]), || sort_parts(high, &starts[parts / 2..]));
 }
 
-/// A word of 64 or 128 bits.
-pub(super) trait Word:
-    Copy + Ord + Send + Sync + Shl<u32, Output = Self> + Shr<u32, Output = Self>
-{
-    /// The word with this in its lowest bits, which are empty.
-    fn with(self, low: u64) -> Self;
-    fn of(value: u64) -> Self;
-    /// The lowest bits.
-    fn low(self) -> u64;
-}
-
-impl Word for u64 {
-    fn with(self, low: u64) -> Self {
-        self | low
-    }
-    fn of(value: u64) -> Self {
-        value
-    }
-    fn low(self) -> u64 {
-        self
-    }
-}
-
-impl Word for u128 {
-    fn with(self, low: u64) -> Self {
-        self | u128::from(low)
-    }
-    fn of(value: u64) -> Self {
-        value.into()
-    }
-    fn low(self) -> u64 {
-        self as u64
-    }
-}
-
-/// Places in words that are wide enough for them.
-pub(super) struct Packed<W> {
-    layout: Layout,
-    word: PhantomData<W>,
-}
-
-impl<W: Word> Packed<W> {
-    pub(super) fn new(layout: Layout) -> Self {
-        Packed { layout, word: PhantomData }
-    }
-}
-
-impl<W: Word> Places for Packed<W> {
-    type Entry = W;
+impl Places for Packed {
     type Cell = u64;
 
-    fn entry(&self, cube: Cube, point: u32) -> W {
-        let (cell, [a, b, c]) = split(cube);
-        let [x, y, z] = [0, 1, 2].map(|axis| (cell[axis] - self.layout.origin[axis]) as u64);
-        let cell = (x * self.layout.y + y) * self.layout.z + z;
-        let cube = (a << 4 | b << 2 | c) as u64;
-        ((W::of(cell) << CUBE_BITS).with(cube) << self.layout.point_bits).with(point.into())
-    }
-
-    fn point(&self, entry: W) -> u32 {
-        (entry.low() & ((1 << self.layout.point_bits) - 1)) as u32
-    }
-
-    fn cube(&self, entry: W) -> [i8; 3] {
-        let cube = (entry >> self.layout.point_bits).low();
-        [cube >> 4, cube >> 2, cube].map(|x| (x & 3) as i8)
-    }
-
-    fn cell(&self, entry: W) -> u64 {
-        (entry >> (self.layout.point_bits + CUBE_BITS)).low()
+    fn visit_sorted(&self, points: &[[f64; 3]], mut visit: impl FnMut(u64, InCell, u32)) {
+        let Parts { starts, words, point_bits, rest_bits } = self.parts(points);
+        for (part, bounds) in (0u64..).zip(starts.windows(2)) {
+            for word in &words[bounds[0] as usize..bounds[1] as usize] {
+                let place = part << rest_bits | word >> point_bits;
+                let point = (word & ((1 << point_bits) - 1)) as u32;
+                visit(place >> CUBE_BITS, (place % CUBES as u64) as InCell, point);
+            }
+        }
     }
 
     fn beside(&self, cell: u64, step: [i8; 3]) -> u64 {
         let [x, y, z] = step.map(i64::from);
-        let (row, layer) = (self.layout.z as i64, (self.layout.y * self.layout.z) as i64);
+        let (row, layer) = (self.z as i64, (self.y * self.z) as i64);
         cell.wrapping_add_signed(x * layer + y * row + z)
     }
 }
 
-/// Places that fit no word.
-pub(super) struct Spread;
+/// Places too far apart for numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spread(pub(super) Grid);
 
 impl Places for Spread {
-    type Entry = (Cube, [i8; 3], u32);
     type Cell = Cube;
 
-    fn entry(&self, cube: Cube, point: u32) -> Self::Entry {
-        let (cell, cube) = split(cube);
-        (cell, cube, point)
-    }
-
-    fn point(&self, entry: Self::Entry) -> u32 {
-        entry.2
-    }
-
-    fn cube(&self, entry: Self::Entry) -> [i8; 3] {
-        entry.1
-    }
-
-    fn cell(&self, entry: Self::Entry) -> Cube {
-        entry.0
+    fn visit_sorted(&self, points: &[[f64; 3]], mut visit: impl FnMut(Cube, InCell, u32)) {
+        let entry = |(point, name): (&[f64; 3], u32)| {
+            let cube = self.0.cube_of(*point);
+            point.iter().all(|x| x.is_finite()).then_some((cell_of(cube), cube_in_cell(cube), name))
+        };
+        let mut entries: Vec<(Cube, InCell, u32)> =
+            points.par_iter().zip(0..points.len() as u32).filter_map(entry).collect();
+        entries.par_sort_unstable();
+        entries.into_iter().for_each(|(cell, at, point)| visit(cell, at, point));
     }
 
     fn beside(&self, cell: Cube, step: [i8; 3]) -> Cube {
-        std::array::from_fn(|axis| cell[axis] + i64::from(step[axis]))
+        [0, 1, 2].map(|axis| cell[axis] + i64::from(step[axis]))
     }
 }
 
@@ -178,34 +226,55 @@ mod tests {
 
     use super::*;
 
-    /// What a way of writing says of a point, and of the cells beside its own.
-    fn told<P: Places>(places: &P, cubes: &[Cube]) -> Vec<(u32, [i8; 3], Vec<std::cmp::Ordering>)> {
-        let mut entries: Vec<P::Entry> = (0..).zip(cubes).map(|(at, &cube)| places.entry(cube, at)).collect();
-        entries.sort_unstable();
-        let first = entries.first().map(|&entry| places.cell(entry));
+    /// The points in order, each with its cube and with which points' cells come before those beside its own.
+    fn told<P: Places>(places: &P, points: &[[f64; 3]]) -> Vec<(u32, InCell, Vec<usize>)> {
+        let mut visited = Vec::new();
+        places.visit_sorted(points, |cell, at, point| visited.push((cell, at, point)));
         let steps = (0..27).map(|i| [i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1]);
-        let told = |&entry: &P::Entry| {
-            let beside = |step| places.beside(places.cell(entry), step).cmp(&first.unwrap());
-            (places.point(entry), places.cube(entry), steps.clone().map(beside).collect())
+        let told = |&(cell, at, point): &(P::Cell, InCell, u32)| {
+            let before = |step| visited.partition_point(|(other, ..)| *other < places.beside(cell, step));
+            (point, at, steps.clone().map(before).collect())
         };
-        entries.iter().map(told).collect()
+        visited.iter().map(told).collect()
+    }
+
+    fn packed(grid: Grid, points: &[[f64; 3]]) -> Option<Packed> {
+        let finite = points.iter().filter(|p| p[0].is_finite());
+        let end = |best: fn(f64, f64) -> f64| {
+            finite.clone().copied().reduce(|a, b| std::array::from_fn(|axis| best(a[axis], b[axis])))
+        };
+        Packed::between(grid, end(f64::min)?, end(f64::max)?)
     }
 
     proptest! {
         #[test]
         fn all_ways_of_writing_say_the_same(
-            cubes in prop::collection::vec(prop::array::uniform3(-40..40i64), 1..30),
-            scale in 0..9u32,
+            points in prop::collection::vec(prop::array::uniform3(-40..40i32), 1..700),
+            scale in 0..14,
+            missing in 0..700usize,
         ) {
-            let cubes: Vec<Cube> = cubes.iter().map(|cube| cube.map(|x| x << scale)).collect();
-            let end = |best: fn(i64, i64) -> i64| {
-                cubes.iter().copied().reduce(|a, b| std::array::from_fn(|axis| best(a[axis], b[axis]))).unwrap()
-            };
-            let layout = Layout::of(end(i64::min), end(i64::max), cubes.len());
-            prop_assert!(layout.bits.is_some_and(|bits| bits <= 64));
-            let spread = told(&Spread, &cubes);
-            prop_assert_eq!(&told(&Packed::<u64>::new(layout), &cubes), &spread);
-            prop_assert_eq!(&told(&Packed::<u128>::new(layout), &cubes), &spread);
+            let mut points: Vec<[f64; 3]> =
+                points.iter().map(|point| point.map(|x| f64::from(x) * 2f64.powi(scale))).collect();
+            if let Some(point) = points.get_mut(missing) {
+                point[0] = f64::NAN;
+            }
+            let grid = Grid::of_side(0.7);
+            if let Some(packed) = packed(grid, &points) {
+                prop_assert_eq!(told(&packed, &points), told(&Spread(grid), &points));
+            }
+        }
+    }
+
+    #[test]
+    fn places_of_63_bits_are_numbers_and_what_is_not_finite_has_none() {
+        let grid = Grid::of_side(1.0);
+        let far = |cells: i32| [[0.0; 3], [f64::from(cells) * 8.0 - 1.0; 3], [f64::NAN, 0.0, 0.0]];
+        assert!(packed(grid, &far(1 << 18)).is_none());
+        let points = far((1 << 18) - 4);
+        assert_eq!(packed(grid, &points).map(|packed| packed.place_bits), Some(63));
+        for points in [&points[..], &points[..2], &points[1..], &points[..1]] {
+            let packed = packed(grid, &far((1 << 18) - 4)).unwrap();
+            assert_eq!(told(&packed, points), told(&Spread(grid), points));
         }
     }
 }
