@@ -19,6 +19,7 @@ use meshmend_core::{
     CornerId, Defect, DefectKind, Draft, FaceId, FaceTable, FaceTableBuilder, Id, PolygonMesh, Sources,
     VertexId, distinct_count,
 };
+use meshmend_topology::TopologyReport;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -84,11 +85,23 @@ impl Pass for Clean {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
+        if context.report.is_some_and(is_clean) {
+            return Ok(Outcome::unchanged(mesh));
+        }
         let pieces = self.simple_pieces(mesh)?;
         context.check_cancelled()?;
         let repeats = pieces.repeats(&stored_names(mesh, context));
         pieces.into_outcome(mesh, repeats)
     }
+}
+
+/// Whether there is nothing that this pass might mend. A repeat as stored is one of the mesh too.
+fn is_clean(report: &TopologyReport) -> bool {
+    report.degenerate_faces == 0
+        && report.non_simple_faces == 0
+        && report.repeated_corner_faces == 0
+        && report.duplicate_faces.same == 0
+        && report.non_finite_vertices == 0
 }
 
 /// The faces that stay, as pieces of old ones.

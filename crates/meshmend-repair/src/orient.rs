@@ -21,7 +21,7 @@ use meshmend_core::{
     PolygonMesh, Sources, VertexId, is_inconsistent,
 };
 use meshmend_kernels::KernelTask;
-use meshmend_topology::{OneSidedStrip, orientability, patches as patches_of};
+use meshmend_topology::{OneSidedStrip, TopologyReport, orientability, patches as patches_of};
 use serde::{Deserialize, Serialize};
 
 use crate::{Context, Mended, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames};
@@ -112,8 +112,19 @@ impl Pass for Orient {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
+        if self.side == Side::Majority && context.report.is_some_and(is_oriented) {
+            return Ok(Outcome::unchanged(mesh));
+        }
         context.kernel.run(mesh.complex(), Task { options: self, mesh, context })?
     }
+}
+
+/// Whether no face is there twice, either way round, and all that share an edge, two at each, agree.
+fn is_oriented(report: &TopologyReport) -> bool {
+    report.duplicate_faces.same == 0
+        && report.duplicate_faces.opposite == 0
+        && report.non_manifold_edges == 0
+        && report.consistently_oriented
 }
 
 struct Task<'a> {

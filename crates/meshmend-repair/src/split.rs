@@ -120,7 +120,8 @@ impl KernelTask for Task<'_> {
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
         let stored = StoredNames::new(self.mesh, self.context);
-        let irregular = irregular_vertices(kernel);
+        let is_manifold = self.context.report.is_some_and(|report| report.manifold);
+        let irregular = if is_manifold { Vec::new() } else { irregular_vertices(kernel) };
         if irregular.is_empty() && self.is_whole(kernel, &stored) {
             return Ok(Outcome::unchanged(self.mesh));
         }

@@ -7,7 +7,7 @@ use meshmend_kernels::KernelKind;
 use meshmend_repair::{Context, Distance, Examined, Outcome, PassError, Pipeline, Repaired, Weld};
 use meshmend_testkit::damage::Damage;
 use meshmend_testkit::shapes::{self, Tiles};
-use meshmend_testkit::worlds;
+use meshmend_testkit::{Soup, worlds};
 use meshmend_topology::Witness;
 use proptest::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -117,6 +117,16 @@ fn assert_looking_before_is_the_same(pipeline: &Pipeline, mesh: &PolygonMesh) {
             }
         }
     }
+}
+
+/// Four sides at an edge as welded are two edges as stored: the sides of one of them run the same way.
+#[test]
+fn what_clashes_as_stored_alone_is_seen() {
+    let mut soup = Soup::generic(8, [[0, 1, 2], [1, 0, 3], [4, 5, 6], [4, 5, 7]]);
+    (soup.positions[4], soup.positions[5]) = (soup.positions[0], soup.positions[1]);
+    let mesh = soup.mesh();
+    assert_looking_before_is_the_same(&Pipeline::default(), &mesh);
+    assert_eq!(Pipeline::default().run(&mesh).unwrap().provenance.flipped.len(), 1);
 }
 
 /// Large enough for work to be shared between threads, and with something for every pass to do.
