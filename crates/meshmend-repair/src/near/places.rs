@@ -137,10 +137,10 @@ impl Packed {
             total += std::mem::replace(start, total);
         }
         let mut words = vec![0u64; total as usize];
-        let rest = (1u64 << rest_bits) - 1;
         for (place, point) in places.iter().zip(0..) {
             if let Some(next) = starts.get_mut((place >> rest_bits) as usize) {
-                words[*next as usize] = (place & rest) << point_bits | point;
+                // The bits that are shifted out are the part's.
+                words[*next as usize] = place << point_bits | point;
                 *next += 1;
             }
         }
