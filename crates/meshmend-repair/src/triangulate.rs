@@ -20,9 +20,9 @@ use meshmend_core::{
     Blend, CornerId, Defect, DefectKind, Draft, EdgeTable, FaceId, FaceTableBuilder, Id, PolygonMesh,
     Sources, VertexDraft, VertexId, distinct_count,
 };
+use meshmend_geometry::polygon::{Triangle, triangulate_polygon};
 use serde::{Deserialize, Serialize};
 
-use crate::polygon::{Triangle, triangulate_polygon};
 use crate::{Context, Outcome, Pass, PassError};
 
 /// Cuts polygons into triangles without making an edge twice.

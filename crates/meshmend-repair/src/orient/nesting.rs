@@ -4,8 +4,7 @@
 //! on both does not count. *Source*: A. Van Oosterom, J. Strackee, *The solid angle of a plane triangle*, 1983.
 
 use meshmend_core::{Column, Connectivity, FaceId, PolygonMesh};
-
-use crate::vector::{Point, cross, dot, length, minus};
+use meshmend_geometry::vector::{Point, cross, dot, length, minus};
 
 /// So many points of a patch are tried, from faces spread evenly. One of which all are on another patch counts as
 /// outside of it.

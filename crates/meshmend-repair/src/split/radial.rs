@@ -9,9 +9,8 @@
 use std::cmp::Ordering;
 
 use meshmend_core::{Connectivity, CornerId, EdgeId, PolygonMesh};
+use meshmend_geometry::vector::{Point, area_vector, cross, minus};
 use robust::{Coord, Coord3D, orient2d, orient3d};
-
-use crate::vector::{Point, area_vector, cross, minus};
 
 /// A use of an edge in its place round it.
 #[derive(Clone, Copy, Debug)]

@@ -15,7 +15,7 @@ use earcut::Earcut;
 use crate::vector::{Point, area_vector, cross, dot, minus};
 
 /// Three corners of a polygon, by their places, the way round that the polygon has.
-pub(crate) type Triangle = [usize; 3];
+pub type Triangle = [usize; 3];
 
 const LARGEST_EXACT: usize = 64;
 /// Ears of a comb or of a polygon that crosses itself take n² steps: at this size some tenths of a second.
@@ -27,7 +27,7 @@ const FOLDED: f64 = 1e9;
 /// The triangles of a polygon, or nothing where every choice that was tried takes a diagonal that is taken.
 ///
 /// *Cost*: O(n³) up to 64 corners, O(n²) up to 4096 and mostly n log n, O(n log² n) beyond.
-pub(crate) fn triangulate_polygon(
+pub fn triangulate_polygon(
     points: &[Point],
     is_taken: &dyn Fn(usize, usize) -> bool,
 ) -> Option<Vec<Triangle>> {

@@ -1,26 +1,30 @@
 //! Points and vectors in space, in doubles.
 
 /// A point, or the vector from the origin to it.
-pub(crate) type Point = [f64; 3];
+pub type Point = [f64; 3];
 
-pub(crate) fn minus(a: Point, b: Point) -> Point {
+/// The vector from the second point to the first.
+pub fn minus(a: Point, b: Point) -> Point {
     std::array::from_fn(|i| a[i] - b[i])
 }
 
-pub(crate) fn dot(a: Point, b: Point) -> f64 {
+/// The scalar product.
+pub fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(crate) fn cross(a: Point, b: Point) -> Point {
+/// The vector product.
+pub fn cross(a: Point, b: Point) -> Point {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-pub(crate) fn length(a: Point) -> f64 {
+/// The length of a vector.
+pub fn length(a: Point) -> f64 {
     dot(a, a).sqrt()
 }
 
 /// Twice the area vector of a polygon: the sum of a fan's cross products, taken from its first corner.
-pub(crate) fn area_vector(mut corners: impl Iterator<Item = Point>) -> Point {
+pub fn area_vector(mut corners: impl Iterator<Item = Point>) -> Point {
     let Some(first) = corners.next() else { return [0.0; 3] };
     let mut sum = [0.0; 3];
     let mut last: Option<Point> = None;
