@@ -5,7 +5,11 @@
 //!
 //! [`PolygonMesh::rebuild`]: crate::PolygonMesh::rebuild
 
+use std::cmp::Ordering;
 use std::sync::Arc;
+
+use crate::role::Turn;
+use crate::{CornerId, Id, Role, Values};
 
 /// The use of an element that has no value.
 pub const NO_VALUE: u32 = u32::MAX;
@@ -33,102 +37,6 @@ pub enum Carry {
     Clear,
 }
 
-/// The values of a layer, in the type in which a file stores them.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Values {
-    /// Signed bytes.
-    I8(Vec<i8>),
-    /// Bytes.
-    U8(Vec<u8>),
-    /// Signed 16-bit integers.
-    I16(Vec<i16>),
-    /// 16-bit integers.
-    U16(Vec<u16>),
-    /// Signed 32-bit integers.
-    I32(Vec<i32>),
-    /// 32-bit integers.
-    U32(Vec<u32>),
-    /// Single-precision numbers.
-    F32(Vec<f32>),
-    /// Double-precision numbers.
-    F64(Vec<f64>),
-    /// Names, as bytes: files need not be UTF-8.
-    Text(Vec<Vec<u8>>),
-    /// Lists of varying length: value `i` is `items[starts[i] .. starts[i + 1]]`.
-    Lists {
-        /// Where each list begins, and one more.
-        starts: Vec<u32>,
-        /// The items of all lists.
-        items: Box<Values>,
-    },
-}
-
-impl Values {
-    /// How many numbers, names or lists there are.
-    pub fn len(&self) -> usize {
-        match self {
-            Values::I8(v) => v.len(),
-            Values::U8(v) => v.len(),
-            Values::I16(v) => v.len(),
-            Values::U16(v) => v.len(),
-            Values::I32(v) => v.len(),
-            Values::U32(v) => v.len(),
-            Values::F32(v) => v.len(),
-            Values::F64(v) => v.len(),
-            Values::Text(v) => v.len(),
-            Values::Lists { starts, .. } => starts.len().saturating_sub(1),
-        }
-    }
-
-    /// Whether there is no value.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// Whether the numbers from `one` and from `other` on are the same to the bit.
-    fn same_bits(&self, one: usize, other: usize, width: usize) -> bool {
-        fn slices<T>(v: &[T], one: usize, other: usize, width: usize, same: impl Fn(&T, &T) -> bool) -> bool {
-            v[one..one + width].iter().zip(&v[other..other + width]).all(|(a, b)| same(a, b))
-        }
-        match self {
-            Values::I8(v) => slices(v, one, other, width, |a, b| a == b),
-            Values::U8(v) => slices(v, one, other, width, |a, b| a == b),
-            Values::I16(v) => slices(v, one, other, width, |a, b| a == b),
-            Values::U16(v) => slices(v, one, other, width, |a, b| a == b),
-            Values::I32(v) => slices(v, one, other, width, |a, b| a == b),
-            Values::U32(v) => slices(v, one, other, width, |a, b| a == b),
-            Values::F32(v) => slices(v, one, other, width, |a, b| a.to_bits() == b.to_bits()),
-            Values::F64(v) => slices(v, one, other, width, |a, b| a.to_bits() == b.to_bits()),
-            Values::Text(v) => slices(v, one, other, width, |a, b| a == b),
-            Values::Lists { starts, items } => (0..width).all(|i| {
-                let range = |at: usize| starts[at + i] as usize..starts[at + i + 1] as usize;
-                let (a, b) = (range(one), range(other));
-                a.len() == b.len() && items.same_bits(a.start, b.start, a.len())
-            }),
-        }
-    }
-
-    /// Appends the weighted mean of some values; says whether the type has fractions, so that it could.
-    fn push_mean(&mut self, parts: &[(usize, f64)], width: usize) -> bool {
-        let mean = |at: &dyn Fn(usize) -> f64, i: usize| -> f64 {
-            parts.iter().map(|&(value, weight)| at(value * width + i) * weight).sum()
-        };
-        match self {
-            Values::F32(v) => {
-                let new: Vec<f32> = (0..width).map(|i| mean(&|at| f64::from(v[at]), i) as f32).collect();
-                v.extend(new);
-                true
-            }
-            Values::F64(v) => {
-                let new: Vec<f64> = (0..width).map(|i| mean(&|at| v[at], i)).collect();
-                v.extend(new);
-                true
-            }
-            _ => false,
-        }
-    }
-}
-
 /// One attribute of the vertices, corners or faces of a mesh.
 ///
 /// Value `i` of the pool is `width` consecutive entries of [`values`](Layer::values). Cloning is O(1).
@@ -139,6 +47,9 @@ pub struct Layer {
     home: Domain,
     width: usize,
     carry: Carry,
+    role: Role,
+    /// How many of the first values are those of a vertex as stored, each of the vertex of its own place.
+    stored_vertices: usize,
     values: Arc<Values>,
     /// Which value each element uses; absent when element `i` uses value `i`.
     uses: Option<Arc<Vec<u32>>>,
@@ -155,12 +66,16 @@ impl Layer {
         carry: Carry,
         values: Values,
     ) -> Self {
+        let width = width.max(1);
+        let stored_vertices = if domain == Domain::Vertex { values.len() / width } else { 0 };
         Layer {
             name: name.into(),
             domain,
             home: domain,
-            width: width.max(1),
+            width,
             carry,
+            role: Role::Plain,
+            stored_vertices,
             values: Arc::new(values),
             uses: None,
             vertex_uses: None,
@@ -176,7 +91,13 @@ impl Layer {
         values: Values,
         uses: Vec<u32>,
     ) -> Self {
-        Layer { uses: Some(Arc::new(uses)), ..Layer::direct(name, domain, width, carry, values) }
+        let layer = Layer::direct(name, domain, width, carry, values);
+        Layer { uses: Some(Arc::new(uses)), stored_vertices: 0, ..layer }
+    }
+
+    /// The layer with a role.
+    pub fn with_role(self, role: Role) -> Self {
+        Layer { role, ..self }
     }
 
     /// What the layer is called, such as `texcoord`, `normal`, `color`, `material` or `group`.
@@ -203,6 +124,11 @@ impl Layer {
     /// What created elements get.
     pub fn carry(&self) -> Carry {
         self.carry
+    }
+
+    /// What its values mean.
+    pub fn role(&self) -> Role {
+        self.role
     }
 
     /// The pool: `width` entries a value.
@@ -252,6 +178,42 @@ impl Layer {
                 && self.values.same_bits(one as usize * self.width, other as usize * self.width, self.width))
     }
 
+    /// An order of values in which those that are the same to the bit are neighbours.
+    pub(crate) fn cmp_values(&self, one: u32, other: u32) -> Ordering {
+        let width = self.width;
+        self.values.cmp_bits(one as usize * width, other as usize * width, width)
+    }
+
+    /// The layer as one of vertices that is at the corners for now. Vertices without a corner have no value unless the
+    /// layer knows one.
+    pub(crate) fn at_home_on_vertices(self, vertex_count: usize) -> Self {
+        let no_values = || Arc::new(vec![NO_VALUE; vertex_count]);
+        let vertex_uses = Some(self.vertex_uses.clone().unwrap_or_else(no_values));
+        Layer { home: Domain::Vertex, vertex_uses, ..self }
+    }
+
+    /// The vertex as stored that had the value which a corner uses, if that can be told.
+    pub(crate) fn stored_vertex(&self, corner: CornerId) -> Option<u32> {
+        self.value_of(corner.index()).filter(|&value| value < self.stored_vertices).map(|value| value as u32)
+    }
+
+    /// The use of a new value that is the turned one of a value; the same use where its type has no signs.
+    pub(crate) fn push_turned(&mut self, value: u32, turn: Turn) -> u32 {
+        if !self.values.have_signs() {
+            return value;
+        }
+        let (new, at) = (self.value_count() as u32, value as usize * self.width);
+        Arc::make_mut(&mut self.values).push_turned(at, self.width, |place| turn.concerns(place));
+        new
+    }
+
+    /// Whether a value is that of another layer with each number's sign changed.
+    pub(crate) fn is_opposite(&self, value: usize, other: &Layer, other_value: usize) -> bool {
+        let width = self.width;
+        width == other.width
+            && self.values.are_opposite(value * width, &other.values, other_value * width, width)
+    }
+
     /// The layer with other uses over the same pool.
     pub(crate) fn with_uses(&self, domain: Domain, uses: Vec<u32>) -> Self {
         Layer { domain, uses: Some(Arc::new(uses)), ..self.clone() }
@@ -283,6 +245,7 @@ impl Layer {
         let all_equal = parts.iter().all(|part| self.same_value(part.0, first));
         match self.carry {
             Carry::Clear => NO_VALUE,
+            _ if self.role == Role::Identity => NO_VALUE,
             _ if parts.iter().any(|part| part.0 == NO_VALUE) => NO_VALUE,
             Carry::Copy => first,
             Carry::Interpolate if all_equal => first,

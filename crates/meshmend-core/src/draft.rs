@@ -7,9 +7,10 @@
 use serde::Serialize;
 use thiserror::Error;
 
+use crate::role::{Turned, turned};
 use crate::{
-    CornerId, Counts, Domain, FaceId, FaceTable, Id, Layer, MeshError, NO_VALUE, PolygonMesh, Provenance,
-    Sources, VertexId,
+    CornerId, Counts, Domain, FaceId, FaceTable, FaceTableError, FlippedNormals, Id, Layer, MeshError,
+    NO_VALUE, PolygonMesh, Provenance, Sources, VertexId,
 };
 
 /// Where a created element lies, in terms of the old mesh.
@@ -95,6 +96,8 @@ pub struct Draft {
     pub merged_into: Option<Vec<VertexId>>,
     /// Whether loose edges and points are left out.
     pub drop_loose: Loose,
+    /// Whether stored normals turn with the faces that are flipped.
+    pub flipped_normals: FlippedNormals,
 }
 
 /// Which loose elements a pass leaves out.
@@ -125,6 +128,9 @@ pub enum DraftError {
     /// The parts don't fit together.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// There would be more elements than a mesh holds.
+    #[error(transparent)]
+    Table(#[from] FaceTableError),
 }
 
 impl Draft {
@@ -146,6 +152,7 @@ impl Draft {
             created_corners: Vec::new(),
             merged_into: None,
             drop_loose: Loose::default(),
+            flipped_normals: FlippedNormals::default(),
         }
     }
 }
@@ -164,7 +171,8 @@ impl PolygonMesh {
         check_counts(&draft)?;
         let positions = self.draft_positions(&draft);
         let (edges, points) = self.draft_loose(&draft)?;
-        let layers: Vec<Layer> = self.layers().iter().map(|layer| self.carried(layer, &draft)).collect();
+        let carried = self.layers().iter().map(|layer| self.carried(layer, &draft));
+        let layers: Vec<Layer> = carried.map(|layer| with_turned_values(layer, &draft)).collect();
         let kept = draft.vertex_sources.len() - draft.created_vertices.len();
         let places = draft.created_vertices.iter().enumerate();
         let provenance = Provenance {
@@ -289,6 +297,20 @@ impl PolygonMesh {
         let vertex_uses = self.vertex_uses(&mut layer, draft);
         settled(layer, uses, vertex_uses, &draft.faces)
     }
+}
+
+/// A layer whose values turn with flipped faces, if the draft says so.
+fn with_turned_values(layer: Layer, draft: &Draft) -> Layer {
+    if draft.flipped_normals == FlippedNormals::Keep {
+        return layer;
+    }
+    let Some(Turned { layer, uses }) = turned(&layer, &draft.faces, &draft.flipped) else { return layer };
+    if layer.home() != Domain::Vertex {
+        let domain = layer.domain();
+        return layer.with_uses(domain, uses);
+    }
+    let vertex_uses = (0..draft.faces.vertex_count()).map(|vertex| layer.vertex_use(vertex)).collect();
+    settled(layer, uses, vertex_uses, &draft.faces)
 }
 
 /// A vertex layer by corners: back on the vertices if no vertex has corners that differ.

@@ -30,10 +30,13 @@ mod grouping;
 mod ids;
 mod mesh;
 mod provenance;
+mod render_vertices;
+mod role;
 mod stars;
+mod values;
 mod vertex_corners;
 
-pub use attributes::{Carry, Domain, Layer, NO_VALUE, Values};
+pub use attributes::{Carry, Domain, Layer, NO_VALUE};
 pub use capabilities::{Capabilities, Refusal, admission};
 pub use column::Column;
 pub use complex::Complex;
@@ -47,7 +50,9 @@ pub use face_table::{FaceTable, FaceTableBuilder, FaceTableError, MAX_CORNERS};
 pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
 pub use mesh::{MeshError, Metadata, PolygonMesh};
 pub use provenance::{Counts, Provenance, Sources};
+pub use role::{FlippedNormals, Role, turned_normals};
 pub use stars::{
     EdgeClass, Umbrellas, VertexClass, edge_class, irregular_vertices, is_inconsistent, is_manifold,
     umbrellas, vertex_classes,
 };
+pub use values::Values;

@@ -80,8 +80,12 @@ fn a_draft_that_makes_no_mesh() {
         ),
         (mesh.rebuild(dropped).unwrap_err(), "a draft drops v2, which a loose element uses"),
         (mesh.rebuild(astray).unwrap_err(), "loose point 0 names vertex 9, but there are 3 vertices"),
+        (
+            FaceTable::triangles(MAX_CORNERS, Vec::new()).unwrap_err().into(),
+            "2147483648 vertices are more than the 2147483648 that a table holds",
+        ),
     ];
-    assert_every_variant!(cases, DraftError { Count, LooseVertex, Mesh });
+    assert_every_variant!(cases, DraftError { Count, LooseVertex, Mesh, Table });
 }
 
 #[test]
