@@ -106,7 +106,7 @@ impl OutputWords {
     /// How to write a file; known to be possible before any work is done.
     pub(crate) fn options(self, path: &std::path::Path) -> Result<WriteOptions, Failure> {
         let failed = |reason: String| Failure::usage(format!("{}: {reason}", path.display()));
-        let format = WriteOptions { format: self.format, encoding: None }.for_path(path).format;
+        let format = WriteOptions { format: self.format, ..WriteOptions::default() }.for_path(path).format;
         let format = format.ok_or_else(|| {
             let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
             failed(format!("the name tells no format that can be written; known are {}", names.join(", ")))
@@ -118,7 +118,7 @@ impl OutputWords {
                 failed(format!("{format} has no such encoding; it has {}", known.join(", ")))
             })?),
         };
-        Ok(WriteOptions { format: Some(format), encoding })
+        Ok(WriteOptions { encoding, ..WriteOptions::of(format) })
     }
 }
 

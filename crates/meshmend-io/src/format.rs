@@ -4,11 +4,10 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
-use meshmend_core::PolygonMesh;
 use serde::Serialize;
 
 use crate::read::{Parsed, Source};
-use crate::{Limits, Loss, ReadError, WriteErrorKind};
+use crate::{Limits, Loss, Prepared, ReadError, WriteErrorKind};
 
 /// How a file spells its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -59,8 +58,11 @@ pub(crate) struct Driver {
     /// Reads a source of which only the start is at hand and the rest comes as it is asked for; nothing, and nothing taken
     /// from the rest, where all has to be at hand.
     pub(crate) read_blocks: fn(&Source<'_>, &mut dyn io::Read, &Limits) -> Option<ReadResult>,
-    pub(crate) encode: fn(&PolygonMesh, Encoding, &mut dyn io::Write) -> Result<(), WriteErrorKind>,
-    pub(crate) losses: fn(&PolygonMesh, Encoding) -> Vec<Loss>,
+    /// Makes a mesh what the format can hold, and names what that loses; every other mesh stays as it is.
+    pub(crate) prepare: fn(&mut Prepared),
+    pub(crate) encode: fn(&Prepared, &mut dyn io::Write) -> Result<(), WriteErrorKind>,
+    /// What else the file won't carry.
+    pub(crate) losses: fn(&Prepared) -> Vec<Loss>,
 }
 
 macro_rules! formats {

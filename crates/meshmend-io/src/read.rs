@@ -8,7 +8,7 @@ use meshmend_core::PolygonMesh;
 
 use crate::ahead::Pace;
 use crate::note::Notes;
-use crate::{Format, Limits, Note, Place, ReadError, ReadErrorKind};
+use crate::{Format, Limits, Note, Place, ReadError, ReadErrorKind, Shell};
 
 /// How to read.
 #[derive(Clone, Copy, Debug, Default)]
@@ -30,6 +30,8 @@ pub struct ReadFile {
     pub variant: &'static str,
     /// What in the file is not in the mesh, or not as the file has it; sorted by kind.
     pub notes: Vec<Note>,
+    /// How the file was written, for a writer of the same format.
+    pub shell: Shell,
 }
 
 /// Reads a mesh file. Its name tells the format; a name without a known extension lets the content tell.
@@ -90,11 +92,13 @@ pub(crate) struct Parsed {
     pub(crate) mesh: PolygonMesh,
     pub(crate) variant: &'static str,
     pub(crate) notes: Notes,
+    pub(crate) shell: Shell,
 }
 
 impl Parsed {
     fn of(self, format: Format) -> ReadFile {
-        ReadFile { mesh: self.mesh, format, variant: self.variant, notes: self.notes.into_list() }
+        let Parsed { mesh, variant, notes, shell } = self;
+        ReadFile { mesh, format, variant, notes: notes.into_list(), shell }
     }
 }
 

@@ -1,26 +1,28 @@
-//! Writing: find the format, encode the mesh, put the bytes in the file's place all at once.
+//! Writing: find the format, prepare the mesh, put the bytes in the file's place all at once.
 
 use std::io;
 use std::path::Path;
 
 use meshmend_core::PolygonMesh;
 
-use crate::atomic::replace_file;
-use crate::{Encoding, Format, Loss, WriteError, WriteErrorKind};
+use crate::{Encoding, Format, Loss, Prepared, ReadFile, Shell, WriteError, WriteErrorKind};
 
 /// How to write.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct WriteOptions {
     /// The format; by default that of the file's name.
     pub format: Option<Format>,
-    /// How to spell numbers; by default as the format does by default.
+    /// How to spell numbers; by default as the file that the mesh comes from, if that has the same format, else as the
+    /// format does by default.
     pub encoding: Option<Encoding>,
+    /// How the file that the mesh comes from was written; a file of the same format is written likewise.
+    pub shell: Shell,
 }
 
 impl WriteOptions {
     /// A format in its default encoding.
     pub fn of(format: Format) -> Self {
-        WriteOptions { format: Some(format), encoding: None }
+        WriteOptions { format: Some(format), ..WriteOptions::default() }
     }
 
     /// These options with an encoding.
@@ -28,15 +30,25 @@ impl WriteOptions {
         WriteOptions { encoding: Some(encoding), ..self }
     }
 
+    /// These options, but what they leave open is done as in a file that was read, if its format is the same.
+    pub fn as_read(self, file: &ReadFile) -> Self {
+        WriteOptions { shell: file.shell.clone(), ..self }
+    }
+
     /// These options with the format of a file name, where they name none.
     pub fn for_path(self, path: &Path) -> Self {
         WriteOptions { format: self.format.or_else(|| Format::from_path(path)), ..self }
     }
 
-    fn resolved(self) -> Result<(Format, Encoding), WriteErrorKind> {
+    /// The format and the encoding that come of these options.
+    ///
+    /// # Errors
+    /// When they name no format, or an encoding that the format does not have.
+    pub fn resolved(&self) -> Result<(Format, Encoding), WriteErrorKind> {
         let format = self.format.ok_or(WriteErrorKind::UnknownFormat)?;
-        let default = format.encodings().first().copied().unwrap_or(Encoding::Ascii);
-        let encoding = self.encoding.unwrap_or(default);
+        let as_read = self.shell.encoding().filter(|_| self.shell.format() == Some(format));
+        let usual = as_read.or_else(|| format.encodings().first().copied());
+        let encoding = self.encoding.or(usual).unwrap_or(Encoding::Ascii);
         if format.encodings().contains(&encoding) {
             Ok((format, encoding))
         } else {
@@ -45,7 +57,7 @@ impl WriteOptions {
     }
 }
 
-/// Writes a mesh to a file, all or nothing (see [`replace_file`]), and says what the format can't carry.
+/// Writes a mesh to a file, all or nothing (see [`replace_file`](crate::replace_file)), and says what the format can't carry.
 ///
 /// # Errors
 /// When the name tells no format, the format has no such encoding, the mesh is too large for it or the system
@@ -54,9 +66,9 @@ impl WriteOptions {
 /// *Cost*: linear; a small buffer.
 pub fn write(path: &Path, mesh: &PolygonMesh, options: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
     let failed = |kind| WriteError { file: path.display().to_string(), kind };
-    let (format, encoding) = options.for_path(path).resolved().map_err(failed)?;
-    replace_file(path, |out| (format.driver().encode)(mesh, encoding, out)).map_err(failed)?;
-    Ok((format.driver().losses)(mesh, encoding))
+    let prepared = Prepared::new(mesh, &options.clone().for_path(path)).map_err(failed)?;
+    prepared.write(path)?;
+    Ok(prepared.losses())
 }
 
 /// Writes a mesh to any sink, and says what the format can't carry. The options must name a format.
@@ -71,17 +83,14 @@ pub fn encode(
     out: &mut dyn io::Write,
 ) -> Result<Vec<Loss>, WriteError> {
     let failed = |kind| WriteError { file: "output".to_owned(), kind };
-    let (format, encoding) = options.resolved().map_err(failed)?;
-    (format.driver().encode)(mesh, encoding, out).map_err(failed)?;
-    Ok((format.driver().losses)(mesh, encoding))
+    let prepared = Prepared::new(mesh, options).map_err(failed)?;
+    prepared.encode(out)?;
+    Ok(prepared.losses())
 }
 
 /// What a file would not carry, without writing it. Options that can't be written with lose nothing.
 ///
 /// *Cost*: linear in the mesh; sorting for formats without indices.
 pub fn losses(mesh: &PolygonMesh, options: &WriteOptions) -> Vec<Loss> {
-    match options.resolved() {
-        Ok((format, encoding)) => (format.driver().losses)(mesh, encoding),
-        Err(_) => Vec::new(),
-    }
+    Prepared::new(mesh, options).map(|prepared| prepared.losses()).unwrap_or_default()
 }

@@ -3,10 +3,12 @@
 use meshmend_core::{Carry, Domain, Layer, Values};
 
 use crate::assemble::Uses;
+use crate::obj::ObjShape;
 use crate::obj::names::KINDS;
 use crate::obj::read::Reader;
 use crate::read::Parsed;
-use crate::{NoteKind, Place, ReadError};
+use crate::shell::Shape;
+use crate::{Encoding, NoteKind, Place, ReadError, Shell};
 
 impl Reader<'_> {
     pub(super) fn finish(mut self) -> Result<Parsed, ReadError> {
@@ -23,7 +25,8 @@ impl Reader<'_> {
             .extend(names.into_iter().zip(&KINDS).filter_map(|(runs, kind)| runs.layer(kind, faces)));
         let source = self.source;
         let (mesh, notes) = self.parts.assemble(source, 1, |at| source.line(at))?;
-        Ok(Parsed { mesh, variant: "obj", notes })
+        let shell = Shell::of_file(Encoding::Ascii, Shape::Obj(ObjShape));
+        Ok(Parsed { mesh, variant: "obj", notes, shell })
     }
 
     fn note_unused_names(&mut self) {

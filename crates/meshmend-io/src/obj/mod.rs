@@ -33,6 +33,11 @@ pub(crate) static DRIVER: Driver = Driver {
     sniff: read::sniff,
     read: read::read,
     read_blocks: |_, _, _| None,
+    prepare: |_| {},
     encode: write::encode,
     losses: write::losses,
 };
+
+/// What an OBJ file's writer chose.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct ObjShape;

@@ -11,12 +11,13 @@ use crate::layers::{
 };
 use crate::obj::names::{KINDS, spelled};
 use crate::sink::Sink;
-use crate::{Encoding, Loss, LossKind, WriteErrorKind};
+use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
 /// Statements about the whole file, with their keys.
 const STATEMENTS: [(&str, &str); 2] = [("comment", "#"), ("mtllib", "mtllib")];
 
-pub(super) fn encode(mesh: &PolygonMesh, _: Encoding, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
+pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
+    let mesh = &prepared.mesh;
     let plan = Plan::of(mesh);
     let mut sink = Sink::new(out);
     for statement in mesh.metadata() {
@@ -42,7 +43,8 @@ pub(super) fn encode(mesh: &PolygonMesh, _: Encoding, out: &mut dyn io::Write) -
     Ok(sink.finish()?)
 }
 
-pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
+pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
+    let mesh = &prepared.mesh;
     let plan = Plan::of(mesh);
     let mut losses = layer_losses(mesh, &plan.layers());
     losses.extend(plan.color.filter(|color| !has_fractions(color)).map(|color| {

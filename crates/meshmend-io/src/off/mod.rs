@@ -33,6 +33,11 @@ pub(crate) static DRIVER: Driver = Driver {
     sniff: |bytes| read::Columns::of_header(word(bytes, 0)).is_some(),
     read: read::read,
     read_blocks: |_, _, _| None,
+    prepare: |_| {},
     encode: write::encode,
     losses: write::losses,
 };
+
+/// What an OFF file's writer chose.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct OffShape;

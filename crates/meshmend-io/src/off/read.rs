@@ -3,10 +3,12 @@
 use meshmend_core::VertexId;
 
 use crate::assemble::Parts;
+use crate::off::OffShape;
 use crate::off::blocks::{read_faces, read_vertices};
 use crate::read::{Parsed, Source};
+use crate::shell::Shape;
 use crate::text::{self, is_blank, is_line_end, is_space};
-use crate::{Limits, NoteKind, Place, ReadError};
+use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
 
 /// What each vertex has beside its coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,7 +47,8 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
     read_faces(&mut reader, faces)?;
     reader.surplus();
     let (mesh, notes) = reader.parts.assemble(source, 0, |at| source.line(at))?;
-    Ok(Parsed { mesh, variant: "off", notes })
+    let shell = Shell::of_file(Encoding::Ascii, Shape::Off(OffShape));
+    Ok(Parsed { mesh, variant: "off", notes, shell })
 }
 
 pub(super) struct Reader<'a> {

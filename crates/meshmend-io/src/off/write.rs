@@ -9,7 +9,7 @@ use crate::layers::{
     number, one_line, spelling_loss,
 };
 use crate::sink::Sink;
-use crate::{Encoding, Loss, WriteErrorKind};
+use crate::{Loss, Prepared, WriteErrorKind};
 
 /// Which layers are written.
 struct Plan<'a> {
@@ -19,7 +19,8 @@ struct Plan<'a> {
     face_color: Option<&'a Layer>,
 }
 
-pub(super) fn encode(mesh: &PolygonMesh, _: Encoding, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
+pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
+    let mesh = &prepared.mesh;
     let plan = Plan::of(mesh);
     let mut sink = Sink::new(out);
     sink.bytes(plan.header().as_bytes());
@@ -53,7 +54,8 @@ pub(super) fn encode(mesh: &PolygonMesh, _: Encoding, out: &mut dyn io::Write) -
     Ok(sink.finish()?)
 }
 
-pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
+pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
+    let mesh = &prepared.mesh;
     let plan = Plan::of(mesh);
     let written = [plan.normal, plan.texcoord, plan.vertex_color, plan.face_color];
     let written: Vec<&Layer> = written.into_iter().flatten().collect();

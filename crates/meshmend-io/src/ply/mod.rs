@@ -26,9 +26,11 @@ mod plan;
 mod read;
 mod rows;
 mod scalar;
+mod shape;
 mod table;
 mod write;
 
+pub(crate) use self::shape::PlyShape;
 use crate::Encoding;
 use crate::format::Driver;
 
@@ -40,6 +42,7 @@ pub(crate) static DRIVER: Driver = Driver {
     sniff: header::sniff,
     read: read::read,
     read_blocks: read::read_blocks,
+    prepare: |_| {},
     encode: write::encode,
     losses: plan::losses,
 };

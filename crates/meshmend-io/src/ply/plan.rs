@@ -7,8 +7,8 @@ use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 use crate::layers::{absent, absent_loss, domain_name, layer_losses, metadata_losses, one_line, point_loss};
 use crate::ply::layers::usual;
 use crate::ply::scalar::Scalar;
-use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES};
-use crate::{Encoding, Loss, LossKind};
+use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES, PlyShape};
+use crate::{Loss, LossKind, Prepared};
 
 /// The properties of a file to be written.
 pub(super) struct Plan<'a> {
@@ -44,8 +44,9 @@ pub(super) enum Shape {
 /// The keys of metadata that are written.
 const KEYS: [&str; 3] = ["comment", "obj_info", PROPERTY_NAMES];
 
-pub(super) fn losses(mesh: &PolygonMesh, _: Encoding) -> Vec<Loss> {
-    let plan = Plan::of(mesh);
+pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
+    let mesh = &prepared.mesh;
+    let plan = Plan::of(prepared);
     let mut losses = layer_losses(mesh, &plan.layers());
     losses.extend(plan.losses);
     losses.extend(point_loss(mesh));
@@ -69,7 +70,8 @@ pub(super) fn header_line(value: &[u8]) -> Vec<u8> {
 }
 
 impl<'a> Plan<'a> {
-    pub(super) fn of(mesh: &'a PolygonMesh) -> Self {
+    pub(super) fn of(prepared: &'a Prepared) -> Self {
+        let mesh = &prepared.mesh;
         let is_single = |x: &f64| f64::from(*x as f32).to_bits() == x.to_bits();
         let all_single = mesh.positions().iter().flatten().all(is_single);
         let faces = mesh.faces();
@@ -78,8 +80,9 @@ impl<'a> Plan<'a> {
         } else {
             faces.faces().map(|f| faces.corner_range(f).len()).max().unwrap_or(0)
         };
+        let declared = PlyShape::of(prepared).map(|shape| shape.position);
         let mut plan = Plan {
-            position: if all_single { Scalar::F32 } else { Scalar::F64 },
+            position: if all_single && declared != Some(Scalar::F64) { Scalar::F32 } else { Scalar::F64 },
             degree: Scalar::counting(most),
             vertex: Vec::new(),
             face: Vec::new(),

@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use meshmend_core::{Id, VertexId};
 
 use crate::assemble::Parts;
+use crate::ply::PlyShape;
 use crate::ply::binary::Binary;
 use crate::ply::columns::{Columns, skip};
 use crate::ply::data::Data;
@@ -14,7 +15,8 @@ use crate::ply::plain::Plain;
 use crate::ply::rows::{FaceRows, VertexRows};
 use crate::ply::table::Table;
 use crate::read::{Parsed, Source};
-use crate::{Limits, NoteKind, Place, ReadError};
+use crate::shell::Shape;
+use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
 
 /// The elements that are understood.
 pub(super) const KNOWN_ELEMENTS: [&str; 4] = ["vertex", "face", "tristrips", "edge"];
@@ -283,12 +285,13 @@ impl<'a> Reader<'a> {
         }
         let (mesh, notes) =
             self.parts.assemble(self.source, 0, |at| place_of(self.source, header.form, at))?;
-        let variant = match header.form {
-            Form::Ascii => "ply-ascii",
-            Form::LittleEndian => "ply-le",
-            Form::BigEndian => "ply-be",
+        let (variant, encoding) = match header.form {
+            Form::Ascii => ("ply-ascii", Encoding::Ascii),
+            Form::LittleEndian => ("ply-le", Encoding::LittleEndian),
+            Form::BigEndian => ("ply-be", Encoding::BigEndian),
         };
-        Ok(Parsed { mesh, variant, notes })
+        let shell = Shell::of_file(encoding, Shape::Ply(PlyShape::of_header(header)));
+        Ok(Parsed { mesh, variant, notes, shell })
     }
 }
 

@@ -8,14 +8,11 @@ use crate::layers::number;
 use crate::ply::plan::{Column, Plan, Shape, header_line, index};
 use crate::ply::scalar::Scalar;
 use crate::sink::Sink;
-use crate::{Encoding, WriteErrorKind};
+use crate::{Encoding, Prepared, WriteErrorKind};
 
-pub(super) fn encode(
-    mesh: &PolygonMesh,
-    encoding: Encoding,
-    out: &mut dyn io::Write,
-) -> Result<(), WriteErrorKind> {
-    let plan = Plan::of(mesh);
+pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
+    let (mesh, encoding) = (&prepared.mesh, prepared.encoding);
+    let plan = Plan::of(prepared);
     let mut rows = Rows { sink: Sink::new(out), encoding, row_has_values: false };
     header(mesh, &plan, encoding, &mut rows.sink)?;
     rows.vertices(mesh, &plan)?;

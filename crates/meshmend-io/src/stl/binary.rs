@@ -7,9 +7,10 @@ use std::io::Read;
 use crate::assemble::Parts;
 use crate::blocks::Blocks;
 use crate::read::{Parsed, Source};
-use crate::stl::{FACET, HEAD, HEADER};
+use crate::shell::Shape;
+use crate::stl::{FACET, HEAD, HEADER, StlShape};
 use crate::text::is_space;
-use crate::{Limits, NoteKind, Place, ReadError};
+use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
 
 /// How long the file would be if its count were right; nothing when it is too short to have a count.
 pub(super) fn claimed_length(bytes: &[u8]) -> Option<u64> {
@@ -49,7 +50,8 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
         parts.metadata.push(Metadata { key: HEADER.to_owned(), value: header[..length].to_vec() });
     }
     let (mesh, notes) = parts.assemble(source, 0, |at| Place::Byte(at as u64))?;
-    Ok(Parsed { mesh, variant: "stl-binary", notes })
+    let shell = Shell::of_file(Encoding::LittleEndian, Shape::Stl(StlShape));
+    Ok(Parsed { mesh, variant: "stl-binary", notes, shell })
 }
 
 /// How many facets there are, if they fit the count.

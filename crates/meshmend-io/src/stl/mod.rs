@@ -35,6 +35,7 @@ pub(crate) static DRIVER: Driver = Driver {
     sniff,
     read,
     read_blocks,
+    prepare: |_| {},
     encode: write::encode,
     losses: write::losses,
 };
@@ -90,3 +91,7 @@ fn begins_with_solid(bytes: &[u8]) -> bool {
 fn has_binary_count(bytes: &[u8]) -> bool {
     bytes[HEAD - 4..HEAD].iter().any(|&b| b < b' ' && !is_space(b))
 }
+
+/// What an STL file's writer chose.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct StlShape;

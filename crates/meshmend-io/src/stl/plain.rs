@@ -7,10 +7,11 @@ use std::collections::BTreeMap;
 use crate::ahead::{self, read_ahead};
 use crate::assemble::Parts;
 use crate::read::{Parsed, Source};
-use crate::stl::SOLID;
+use crate::shell::Shape;
 use crate::stl::facets::Facets;
+use crate::stl::{SOLID, StlShape};
 use crate::text::{self, is_blank, is_space};
-use crate::{Limits, NoteKind, Place, ReadError};
+use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let at = text::text_start(source.bytes);
@@ -200,7 +201,8 @@ impl<'a> Reader<'a> {
         }
         let source = self.source;
         let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
-        Ok(Parsed { mesh, variant: "stl-ascii", notes })
+        let shell = Shell::of_file(Encoding::Ascii, Shape::Stl(StlShape));
+        Ok(Parsed { mesh, variant: "stl-ascii", notes, shell })
     }
 
     /// Forgets solids without a facet; one that is alone is the file's own.

@@ -8,15 +8,12 @@ use crate::layers::{absent, absent_loss, layer_losses, layer_of, loose_losses, m
 use crate::sink::Sink;
 use crate::stl::{HEAD, HEADER, SOLID};
 use crate::text::{trimmed, without_mark};
-use crate::{Encoding, Loss, LossKind, WriteErrorKind};
+use crate::{Encoding, Loss, LossKind, Prepared, WriteErrorKind};
 
-pub(super) fn encode(
-    mesh: &PolygonMesh,
-    encoding: Encoding,
-    out: &mut dyn io::Write,
-) -> Result<(), WriteErrorKind> {
+pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
+    let mesh = &prepared.mesh;
     let mut sink = Sink::new(out);
-    match encoding {
+    match prepared.encoding {
         Encoding::Ascii => write_text(mesh, &mut sink)?,
         _ => write_binary(mesh, &mut sink)?,
     }
@@ -180,8 +177,8 @@ fn object_layer(mesh: &PolygonMesh) -> Option<(&Layer, &[Vec<u8>])> {
     if let Values::Text(names) = layer.values() { Some((layer, names)) } else { None }
 }
 
-pub(super) fn losses(mesh: &PolygonMesh, encoding: Encoding) -> Vec<Loss> {
-    let is_text = encoding == Encoding::Ascii;
+pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
+    let (mesh, is_text) = (&prepared.mesh, prepared.encoding == Encoding::Ascii);
     let written =
         if is_text { object_layer(mesh).map(|(l, _)| l) } else { attribute_layer(mesh).map(|(l, _)| l) };
     let mut losses = geometry_losses(mesh);
