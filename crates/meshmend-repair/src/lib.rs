@@ -16,6 +16,7 @@ mod cut;
 mod edge_lengths;
 mod examined;
 mod figures;
+mod free_points;
 mod matching;
 mod mended;
 mod near;
@@ -40,6 +41,7 @@ pub use cut::{
 pub use edge_lengths::edge_lengths;
 pub use examined::Examined;
 pub use figures::Figures;
+pub use free_points::{Clearance, Precision, Unused};
 pub use mended::Mended;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};
 pub use pass::{Context, History, Outcome, Pass, PassError};

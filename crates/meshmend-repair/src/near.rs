@@ -22,7 +22,7 @@ use rayon::prelude::*;
 
 use crate::{Context, PassError};
 use ahead::{AHEAD, ROWS, ahead_in_row, reaches};
-use pairs::Nearness;
+pub(crate) use pairs::Nearness;
 use places::{Grid, InCell, Packed, Places, Spread, steps_between};
 
 /// The side of a cube in parts of the distance. Less than 1/√3, so that a cube's diagonal is within the distance, and
@@ -96,7 +96,8 @@ fn bounds(points: &[[f64; 3]]) -> Option<([f64; 3], [f64; 3])> {
     (bounds.0[0] <= bounds.1[0]).then_some(bounds)
 }
 
-fn is_finite(point: &[f64; 3]) -> bool {
+/// Whether a point is somewhere.
+pub(crate) fn is_finite(point: &[f64; 3]) -> bool {
     point.iter().all(|x| x.is_finite())
 }
 

@@ -10,7 +10,7 @@ use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;
 use thiserror::Error;
 
-use crate::{Mended, SeamFigures};
+use crate::{Clearance, Mended, SeamFigures};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
 pub trait Pass {
@@ -129,6 +129,8 @@ pub struct Context<'a> {
     pub cancel: Option<&'a AtomicBool>,
     /// The topology of the mesh, if it is known already.
     pub report: Option<&'a TopologyReport>,
+    /// What created vertices keep clear of.
+    pub clearance: Clearance,
 }
 
 impl Context<'_> {

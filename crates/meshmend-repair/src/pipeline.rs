@@ -11,8 +11,8 @@ use meshmend_topology::{TopologyReport, Witness};
 use self::run::Run;
 use crate::figures::Figures;
 use crate::{
-    AnyPass, Context, Examined, Mended, NonOrientable, Orient, Outcome, PassError, PassKind, SeamFigures,
-    Seams, Side,
+    AnyPass, Clearance, Compact, Context, Examined, Mended, NonOrientable, Orient, Outcome, PassError,
+    PassKind, Precision, SeamFigures, Seams, Side, Unused,
 };
 
 /// Passes in order, with their options.
@@ -34,6 +34,7 @@ pub struct Pipeline {
     passes: Vec<AnyPass>,
     kernel: KernelKind,
     takes_figures: bool,
+    precision: Precision,
 }
 
 impl Default for Pipeline {
@@ -111,7 +112,12 @@ impl Pipeline {
                 all.extend(outward.map(AnyPass::from));
             }
         }
-        Pipeline { passes: all, kernel: KernelKind::default(), takes_figures: false }
+        Pipeline {
+            passes: all,
+            kernel: KernelKind::default(),
+            takes_figures: false,
+            precision: Precision::Double,
+        }
     }
 
     /// The pipeline computing on another kernel. The result is the same from every kernel that can hold the mesh.
@@ -122,6 +128,12 @@ impl Pipeline {
     /// The pipeline taking χ, components and boundary loops before and after each pass that changes something.
     pub fn with_figures(self) -> Self {
         Pipeline { takes_figures: true, ..self }
+    }
+
+    /// The pipeline making a result that is stored in this precision: vertices that it creates are rounded first, and
+    /// then put where they are not rounded onto another one.
+    pub fn in_precision(self, precision: Precision) -> Self {
+        Pipeline { precision, ..self }
     }
 
     /// The passes, in order.
@@ -168,6 +180,7 @@ impl Pipeline {
             (None, _) => (run.mesh, run.known) = (mesh, known),
             (Some((weld, outcome)), Some((AnyPass::Weld(first), rest))) if *first == weld => {
                 observe(PassKind::Weld);
+                run.tolerance = weld.tolerance_on(&stored);
                 run.record(PassKind::Weld, Outcome { mesh, ..outcome });
                 (run.known, passes) = (known, rest);
             }
@@ -185,14 +198,27 @@ impl Pipeline {
     ) -> Result<Repaired, PassError> {
         for pass in passes {
             observe(pass.kind());
+            if let AnyPass::Weld(weld) = pass {
+                run.tolerance = run.tolerance.max(weld.tolerance_on(&run.mesh));
+            }
             let report = run.known.as_ref();
-            let context = Context { kernel: self.kernel, history: Some(&run.history), cancel, report };
+            let clearance = self.clearance(run.tolerance);
+            let context =
+                Context { kernel: self.kernel, history: Some(&run.history), cancel, report, clearance };
             context.check_cancelled()?;
             let outcome = pass.as_pass().apply(&run.mesh, &context)?;
             run.record(pass.kind(), outcome);
         }
         self.check_promises(&run)?;
         Ok(run.finish())
+    }
+
+    /// What created vertices keep clear of, when vertices within a tolerance were joined.
+    fn clearance(&self, tolerance: f64) -> Clearance {
+        let removes_all =
+            |pass: &AnyPass| matches!(pass, AnyPass::Compact(compact) if *compact == Compact::default());
+        let unused = if self.passes.iter().any(removes_all) { Unused::Removed } else { Unused::Kept };
+        Clearance { precision: self.precision, tolerance, unused }
     }
 
     /// Fails when `recompute` ended the pipeline and found what a pass had promised to remove.

@@ -145,7 +145,7 @@ impl KernelTask for Task<'_> {
         let figures = seams::seam_figures(kernel, self.mesh, &matching, &names, &seam);
         let inserted = match self.options.edges {
             SplitEdges::PinchOnly => Inserted { vertices: Vec::new(), sides: Vec::new(), edges: Vec::new() },
-            _ => subdivide::subdivide(kernel, self.mesh, &matching, &names),
+            _ => subdivide::subdivide(kernel, self.mesh, &matching, &names, self.context.clearance),
         };
         let seam = seams::seam_edges(kernel, &seam).collect();
         drop(matching);

@@ -7,11 +7,11 @@
 //!    every face of more than three corners.
 //! 2. Cut each by shape: see the polygons' file. A diagonal never repeats an edge that is there already, as that
 //!    would make it non-manifold.
-//! 3. Where every choice would, the face gets a vertex of its own at the mean of its corners, or, where a vertex is
-//!    there already, halfway from there to a corner.
+//! 3. Where every choice would, the face gets a vertex of its own at the mean of its corners, or at the first free
+//!    point after that.
 //!
 //! *Promises* triangles, wherever faces are simple. *Requires* simple faces: others stay and are named. *May introduce*
-//! a vertex where another one is, if there is one at every such point. *Cost*: O(n³) for faces up to 64 corners, O(n²)
+//! nothing. *Cost*: O(n³) for faces up to 64 corners, O(n²)
 //! up to 4096 and mostly n log n, O(n log² n) beyond.
 
 use std::collections::BTreeSet;
@@ -23,7 +23,8 @@ use meshmend_core::{
 use meshmend_geometry::polygon::{Triangle, triangulate_polygon};
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Outcome, Pass, PassError};
+use crate::free_points::FreePoints;
+use crate::{Clearance, Context, Outcome, Pass, PassError, Unused};
 
 /// Cuts polygons into triangles without making an edge twice.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -58,8 +59,7 @@ impl Pass for Triangulate {
         &[DefectKind::DegenerateFace, DefectKind::NonSimpleFace, DefectKind::RepeatedCorner]
     }
     fn may_introduce(&self) -> &'static [DefectKind] {
-        // Where there is a vertex at every point that was tried.
-        &[DefectKind::CoincidentVertex]
+        &[]
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
@@ -68,7 +68,7 @@ impl Pass for Triangulate {
         if !is_wanted || mesh.faces().is_all_triangles() {
             return Ok(Outcome::unchanged(mesh));
         }
-        Cutter::new(mesh).cut_all()
+        Cutter::new(mesh, context.clearance).cut_all()
     }
 }
 
@@ -83,14 +83,15 @@ struct Cutter<'a> {
     corner_sources: Vec<Option<CornerId>>,
     created_vertices: Vec<VertexDraft>,
     created_corners: Vec<(CornerId, Blend)>,
-    /// The positions of all vertices, from the first created one on.
-    occupied: Option<BTreeSet<[u64; 3]>>,
+    clearance: Clearance,
+    /// Where there is room, from the first created vertex on.
+    free: Option<FreePoints>,
     mended: Vec<Defect>,
     left: Vec<Defect>,
 }
 
 impl<'a> Cutter<'a> {
-    fn new(mesh: &'a PolygonMesh) -> Self {
+    fn new(mesh: &'a PolygonMesh, clearance: Clearance) -> Self {
         Cutter {
             mesh,
             edges: mesh.complex().edges(),
@@ -100,7 +101,8 @@ impl<'a> Cutter<'a> {
             corner_sources: Vec::new(),
             created_vertices: Vec::new(),
             created_corners: Vec::new(),
-            occupied: None,
+            clearance,
+            free: None,
             mended: Vec::new(),
             left: Vec::new(),
         }
@@ -157,7 +159,7 @@ impl<'a> Cutter<'a> {
 
     fn push_star(&mut self, face: FaceId, points: &[[f64; 3]]) {
         let centre = VertexId::new(self.mesh.counts().vertices + self.created_vertices.len());
-        let position = self.free_point(points);
+        let position = self.free_points().in_face(points);
         self.created_vertices.push(VertexDraft { position, place: Blend::Inside { face } });
         let corners: Vec<CornerId> = self.mesh.faces().face_corners(face).collect();
         for (place, &corner) in corners.iter().enumerate() {
@@ -170,16 +172,15 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    /// The mean of some points, or the first point halfway from there to one of them at which there is no vertex.
-    fn free_point(&mut self, points: &[[f64; 3]]) -> [f64; 3] {
-        let count = points.len() as f64;
-        let mean: [f64; 3] = std::array::from_fn(|axis| points.iter().map(|p| p[axis] / count).sum());
-        let key = |point: &[f64; 3]| point.map(|x| (x + 0.0).to_bits());
-        let positions = self.mesh.positions();
-        let occupied = self.occupied.get_or_insert_with(|| positions.iter().map(key).collect());
-        let beside = points.iter().map(|p| std::array::from_fn(|axis| p[axis] / 2.0 + mean[axis] / 2.0));
-        let free = std::iter::once(mean).chain(beside).find(|point| occupied.insert(key(point)));
-        free.unwrap_or(mean)
+    /// The vertices of the result so far, by which a new one is placed.
+    fn free_points(&mut self) -> &mut FreePoints {
+        let (mesh, clearance) = (self.mesh, self.clearance);
+        self.free.get_or_insert_with(|| {
+            let is_used = used_vertices(mesh);
+            let is_in_result = |v: usize| clearance.unused == Unused::Kept || is_used[v];
+            let vertices = mesh.positions().iter().enumerate().filter(|(v, _)| is_in_result(*v));
+            FreePoints::beside(clearance, vertices.map(|(_, &position)| position))
+        })
     }
 
     fn into_outcome(self) -> Result<Outcome, PassError> {
@@ -203,4 +204,11 @@ impl<'a> Cutter<'a> {
 
 fn sorted(one: VertexId, other: VertexId) -> [VertexId; 2] {
     [one.min(other), one.max(other)]
+}
+
+/// For each vertex whether a face uses it.
+fn used_vertices(mesh: &PolygonMesh) -> Vec<bool> {
+    let mut is_used = vec![false; mesh.counts().vertices];
+    mesh.faces().corner_vertices().iter().for_each(|v| is_used[v.index()] = true);
+    is_used
 }

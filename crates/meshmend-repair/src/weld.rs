@@ -73,10 +73,20 @@ impl Pass for Weld {
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
         let lowest = match self.distance {
             Distance::Exact => coincident_vertices(mesh),
-            Distance::Absolute(epsilon) => within(mesh, epsilon, context)?,
-            Distance::Relative(part) => within(mesh, part * near::diagonal(mesh.positions()), context)?,
+            _ => within(mesh, self.tolerance_on(mesh), context)?,
         };
         join_to(mesh, lowest)
+    }
+}
+
+impl Weld {
+    /// How far apart vertices of a mesh may be that are joined; 0 if only those in one place are.
+    pub(crate) fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
+        match self.distance {
+            Distance::Exact => 0.0,
+            Distance::Absolute(epsilon) => epsilon,
+            Distance::Relative(part) => part * near::diagonal(mesh.positions()),
+        }
     }
 }
 

@@ -16,6 +16,8 @@ pub(super) struct Run {
     pub(super) report: Option<Box<TopologyReport>>,
     /// The topology of the mesh, if it was known before the pipeline looked at it.
     pub(super) known: Option<TopologyReport>,
+    /// The largest tolerance within which vertices were joined.
+    pub(super) tolerance: f64,
     takes_figures: bool,
     /// The figures of the mesh before each pass that changed it, and in the end of the last mesh, if asked for.
     figures: Vec<Figures>,
@@ -32,6 +34,7 @@ impl Run {
             removed_faces: Vec::new(),
             report: None,
             known: None,
+            tolerance: 0.0,
             takes_figures,
             figures: Vec::new(),
         }

@@ -2,16 +2,15 @@
 //!
 //! Two different matched edges, or free uses, may come to join the same two new vertices, their umbrellas being
 //! connected elsewhere. By index they would be one edge again. Then every edge at that place is subdivided, each by a
-//! vertex of its own, all of them at the first point of 1/2, 1/3, 2/3, 1/4, … 63/64 between the lower and the higher
-//! vertex at which there is no vertex of a face yet.
-
-use std::collections::BTreeSet;
+//! vertex of its own, all of them at the first free point between the lower and the higher vertex.
 
 use meshmend_core::{Blend, Complex, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
 use smallvec::SmallVec;
 
 use super::names::NewVertices;
+use crate::free_points::FreePoints;
 use crate::matching::Matching;
+use crate::{Clearance, Unused};
 
 /// What is inserted into the sides of an edge.
 pub(super) struct Inserted {
@@ -32,6 +31,7 @@ pub(super) fn subdivide<K: Connectivity>(
     mesh: &PolygonMesh,
     matching: &Matching,
     names: &NewVertices,
+    clearance: Clearance,
 ) -> Inserted {
     let edges: Vec<EdgeId> = kernel.edges().filter(|&edge| coincide(kernel, matching, names, edge)).collect();
     let mut inserted = Inserted { vertices: Vec::new(), sides: Vec::new(), edges };
@@ -39,12 +39,13 @@ pub(super) fn subdivide<K: Connectivity>(
         return inserted;
     }
     let complex = mesh.complex();
-    // A vertex in no face is no part of the result: compact removes it, and it must not decide where others go.
-    let parts = names.present.iter().zip(&names.positions).filter(|(v, _)| kernel.is_referenced(**v));
-    let mut occupied: BTreeSet<[u64; 3]> = parts.map(|(_, &position)| key(position)).collect();
+    // A vertex in no face that compact removes must not decide where others go.
+    let is_in_result = |v| clearance.unused == Unused::Kept || kernel.is_referenced(v);
+    let parts = names.present.iter().zip(&names.positions).filter(|(v, _)| is_in_result(**v));
+    let mut free = FreePoints::beside(clearance, parts.map(|(_, &position)| position));
     for edge in inserted.edges.clone() {
         let ends = kernel.edge_ends(edge).map(|v| mesh.position(v));
-        let (position, ratio) = free_point(ends, &mut occupied);
+        let (position, ratio) = free.on_edge(ends);
         for corner in kernel.edge_corners(edge) {
             let mate = matching.mate(corner);
             if mate.is_some_and(|mate| mate < corner) {
@@ -77,22 +78,6 @@ fn coincide<K: Connectivity>(kernel: &K, matching: &Matching, names: &NewVertice
     let mut ends: SmallVec<[_; 4]> = kernel.edge_corners(edge).filter(is_first).map(ends_of).collect();
     ends.sort_unstable();
     ends.windows(2).any(|pair| pair[0] == pair[1])
-}
-
-/// The first free point between two ends, which is then occupied, with its ratio; the midpoint if none is free.
-fn free_point(ends: [[f64; 3]; 2], occupied: &mut BTreeSet<[u64; 3]>) -> ([f64; 3], (u32, u32)) {
-    let at = |(n, d): (u32, u32)| -> [f64; 3] {
-        std::array::from_fn(|i| ends[0][i] + (ends[1][i] - ends[0][i]) * f64::from(n) / f64::from(d))
-    };
-    let mut ratios = (2..=64).flat_map(|d| (1..d).map(move |n| (n, d)));
-    let free = ratios.find(|&ratio| occupied.insert(key(at(ratio))));
-    let ratio = free.unwrap_or((1, 2));
-    (at(ratio), ratio)
-}
-
-/// A position as bits, −0 being 0.
-fn key(position: [f64; 3]) -> [u64; 3] {
-    position.map(|x| (x + 0.0).to_bits())
 }
 
 /// The place of a point between an edge's lower and higher vertex, as seen along one of its sides, in terms of the

@@ -1,0 +1,384 @@
+//! Where there is room for a new vertex.
+//!
+//! A new vertex must stay a vertex of its own when the result is read and welded once more. A point is *free* when no
+//! vertex of the result has that position once it is stored in the result's precision, nor is so near that the
+//! pipeline's weld would join the two.
+//!
+//! * On an edge: the first free point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way.
+//! * In a face: its mean, or the first free point of the same parts of the way from there to a corner.
+//! * If none is free: the first free point beside the middle, along the axis in which the edge or the face is
+//!   shortest, one step away, two steps away, and so on. A step is one unit in the last place, or twice the weld's
+//!   tolerance. There always is such a point.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use meshmend_geometry::vector::Point;
+
+use crate::near::{Nearness, is_finite};
+
+/// How precisely the coordinates of a result are stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// As doubles.
+    #[default]
+    Double,
+    /// In single precision, as in binary STL.
+    Single,
+}
+
+impl Precision {
+    /// A point as it is read again when it was stored in this precision.
+    pub fn round(self, point: [f64; 3]) -> [f64; 3] {
+        match self {
+            Precision::Double => point,
+            Precision::Single => point.map(|x| f64::from(x as f32)),
+        }
+    }
+
+    /// The number so many units in the last place away.
+    fn moved(self, x: f64, steps: i64) -> f64 {
+        match self {
+            Precision::Double => {
+                let place = |bits: i64| if bits < 0 { i64::MIN.wrapping_sub(bits) } else { bits };
+                f64::from_bits(place(place(x.to_bits() as i64).saturating_add(steps)) as u64)
+            }
+            Precision::Single => {
+                let place = |bits: i32| if bits < 0 { i32::MIN.wrapping_sub(bits) } else { bits };
+                let steps = i32::try_from(steps).unwrap_or(if steps < 0 { i32::MIN } else { i32::MAX });
+                let moved = place((x as f32).to_bits() as i32).saturating_add(steps);
+                f64::from(f32::from_bits(place(moved) as u32))
+            }
+        }
+    }
+}
+
+/// What a pass that creates vertices keeps clear of, so that they are there when the result is read again.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Clearance {
+    /// How precisely the result is stored.
+    pub precision: Precision,
+    /// Vertices within this distance of each other become one when the result is welded; 0 if only equal ones do.
+    pub tolerance: f64,
+    /// What becomes of vertices that no face uses.
+    pub unused: Unused,
+}
+
+/// What becomes of vertices that no face uses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Unused {
+    /// They go, so that a new vertex may take their place.
+    #[default]
+    Removed,
+    /// They are part of the result.
+    Kept,
+}
+
+/// The vertices of the result so far, and where there is room beside them.
+pub(crate) struct FreePoints {
+    clearance: Clearance,
+    taken: Taken,
+    /// How many steps were tried in vain from a middle along an axis: what is taken stays taken.
+    walked: BTreeMap<(Place, usize), u64>,
+}
+
+/// A position as bits, −0 being 0.
+type Place = [u64; 3];
+
+enum Taken {
+    Places(BTreeSet<Place>),
+    /// By cubes of twice the tolerance: what is within the tolerance is in the same cube or one beside it.
+    Cubes {
+        cubes: BTreeMap<[i64; 3], BTreeMap<Place, Point>>,
+        near: Nearness,
+        side: f64,
+    },
+}
+
+impl FreePoints {
+    /// Beside these vertices.
+    ///
+    /// *Cost*: O(n log n).
+    pub(crate) fn beside(clearance: Clearance, vertices: impl Iterator<Item = Point>) -> Self {
+        let tolerance = clearance.tolerance;
+        let taken = if tolerance > 0.0 {
+            let near = Nearness::within(tolerance);
+            Taken::Cubes { cubes: BTreeMap::new(), near, side: 2.0 * tolerance }
+        } else {
+            Taken::Places(BTreeSet::new())
+        };
+        let mut free = FreePoints { clearance, taken, walked: BTreeMap::new() };
+        vertices.for_each(|vertex| free.taken.insert(vertex));
+        free
+    }
+
+    /// The first free point on an edge, or beside it, which is then taken; and its place on the edge.
+    pub(crate) fn on_edge(&mut self, [low, high]: [Point; 2]) -> (Point, (u32, u32)) {
+        let part = |i: usize, (n, d): (u32, u32)| low[i] + (high[i] - low[i]) * f64::from(n) / f64::from(d);
+        let at = |ratio| -> Point { std::array::from_fn(|i| part(i, ratio)) };
+        if let Some((point, ratio)) = self.first_free(ratios().map(|ratio| (at(ratio), ratio))) {
+            return (point, ratio);
+        }
+        let middle = Some(at((1, 2))).filter(is_finite).unwrap_or_else(|| mean(&[low, high]));
+        let extent = std::array::from_fn(|i| (high[i] - low[i]).abs());
+        (self.beside_middle(middle, shortest_axis(extent)), (1, 2))
+    }
+
+    /// The first free point in a face, or beside it, which is then taken.
+    pub(crate) fn in_face(&mut self, corners: &[Point]) -> Point {
+        let middle = mean(corners);
+        let toward = |&corner: &Point, (n, d): (u32, u32)| -> Point {
+            let share = f64::from(n) / f64::from(d);
+            std::array::from_fn(|i| middle[i] * (1.0 - share) + corner[i] * share)
+        };
+        let beside =
+            ratios().flat_map(|ratio| corners.iter().map(move |corner| (toward(corner, ratio), ratio)));
+        let candidates = std::iter::once((middle, (0, 1))).chain(beside);
+        if let Some((point, _)) = self.first_free(candidates) {
+            return point;
+        }
+        let least = |i: usize| corners.iter().fold(f64::INFINITY, |least, p| least.min(p[i]));
+        let most = |i: usize| corners.iter().fold(f64::NEG_INFINITY, |most, p| most.max(p[i]));
+        self.beside_middle(middle, shortest_axis(std::array::from_fn(|i| most(i) - least(i))))
+    }
+
+    fn first_free(
+        &mut self,
+        mut candidates: impl Iterator<Item = (Point, (u32, u32))>,
+    ) -> Option<(Point, (u32, u32))> {
+        let mut last_two = [None; 2];
+        let found = candidates.find_map(|(point, ratio)| {
+            let point = self.clearance.precision.round(point);
+            (is_finite(&point) && self.taken.is_free(point, &mut last_two)).then_some((point, ratio))
+        });
+        found.inspect(|&(point, _)| self.taken.insert(point))
+    }
+
+    /// The first free point so many steps from a middle along an axis.
+    fn beside_middle(&mut self, middle: Point, axis: usize) -> Point {
+        let precision = self.clearance.precision;
+        let start = precision.round(middle);
+        // What is nowhere can't be welded, so that it is free.
+        if !is_finite(&start) {
+            return start;
+        }
+        let origin = (place(middle), axis);
+        let mut step = self.walked.get(&origin).copied().unwrap_or(0);
+        let (mut last, mut last_two) = ([start; 2], [None; 2]);
+        loop {
+            step += 1;
+            for (side, last) in [1, -1].into_iter().zip(&mut last) {
+                let mut point = if self.clearance.tolerance > 0.0 { middle } else { start };
+                point[axis] = self.stepped(point[axis], side * step as i64);
+                let point = precision.round(point);
+                let is_new = place(point) != place(*last);
+                *last = point;
+                if is_new && is_finite(&point) && self.taken.is_free(point, &mut last_two) {
+                    self.walked.insert(origin, step - 1);
+                    self.taken.insert(point);
+                    return point;
+                }
+            }
+        }
+    }
+
+    fn stepped(&self, x: f64, steps: i64) -> f64 {
+        let Clearance { precision, tolerance, .. } = self.clearance;
+        if tolerance > 0.0 { x + steps as f64 * (2.0 * tolerance) } else { precision.moved(x, steps) }
+    }
+}
+
+impl Taken {
+    fn insert(&mut self, point: Point) {
+        match self {
+            Taken::Places(places) => {
+                places.insert(place(point));
+            }
+            Taken::Cubes { cubes, side, .. } => {
+                if is_finite(&point) {
+                    cubes.entry(cube(point, *side)).or_default().insert(place(point), point);
+                }
+            }
+        }
+    }
+
+    /// Whether a point is free. The two vertices that were last found to be near are asked first: along an edge they are
+    /// its ends, again and again.
+    fn is_free(&self, point: Point, last_two: &mut [Option<Point>; 2]) -> bool {
+        match self {
+            Taken::Places(places) => !places.contains(&place(point)),
+            Taken::Cubes { cubes, near, side } => {
+                if last_two.iter().flatten().any(|&vertex| near.are_near(vertex, point)) {
+                    return false;
+                }
+                let home = cube(point, *side);
+                let beside = std::iter::once([0; 3]).chain(steps_round());
+                let at = beside.filter_map(|step| cubes.get(&std::array::from_fn(|i| home[i] + step[i])));
+                let found = at.flat_map(BTreeMap::values).find(|&&vertex| near.are_near(vertex, point));
+                if let Some(&vertex) = found {
+                    *last_two = [Some(vertex), last_two[0]];
+                }
+                found.is_none()
+            }
+        }
+    }
+}
+
+/// 1/2, 1/3, 2/3, 1/4, … 63/64.
+fn ratios() -> impl Iterator<Item = (u32, u32)> {
+    (2..=64).flat_map(|d| (1..d).map(move |n| (n, d)))
+}
+
+/// All steps to a cube beside another one.
+fn steps_round() -> impl Iterator<Item = [i64; 3]> {
+    (0..27).filter(|&step| step != 13).map(|step| [step / 9 - 1, step / 3 % 3 - 1, step % 3 - 1])
+}
+
+fn cube(point: Point, side: f64) -> [i64; 3] {
+    point.map(|x| ((x / side).floor() as i64).clamp(i64::MIN + 1, i64::MAX - 1))
+}
+
+fn place(point: Point) -> Place {
+    point.map(|x| (x + 0.0).to_bits())
+}
+
+fn mean(points: &[Point]) -> Point {
+    let count = points.len() as f64;
+    std::array::from_fn(|axis| points.iter().map(|p| p[axis] / count).sum())
+}
+
+/// The first axis along which an extent is least.
+fn shortest_axis(extent: Point) -> usize {
+    (1..3).fold(0, |least, axis| if extent[axis] < extent[least] { axis } else { least })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ENDS: [Point; 2] = [[0.0; 3], [8.0, 4.0, 4.0]];
+
+    fn clearance(precision: Precision, tolerance: f64) -> Clearance {
+        Clearance { precision, tolerance, unused: Unused::Removed }
+    }
+
+    fn beside(clearance: Clearance, vertices: &[Point]) -> FreePoints {
+        FreePoints::beside(clearance, vertices.iter().copied())
+    }
+
+    #[test]
+    fn an_edge_has_room_in_the_middle_then_at_a_third_and_so_on() {
+        let mut free = beside(Clearance::default(), &ENDS);
+        let found: Vec<(Point, (u32, u32))> = (0..3).map(|_| free.on_edge(ENDS)).collect();
+        assert_eq!(found[0], ([4.0, 2.0, 2.0], (1, 2)));
+        assert_eq!([found[1].1, found[2].1], [(1, 3), (2, 3)]);
+        assert_eq!(found[1].0, [8.0 / 3.0, 4.0 / 3.0, 4.0 / 3.0]);
+    }
+
+    #[test]
+    fn where_the_ends_are_neighbours_among_numbers_there_is_room_beside_the_edge() {
+        let up = 1.0f64.next_up();
+        let ends = [[1.0, 1.0, 1.0], [up, 1.0, up]];
+        let mut free = beside(Clearance::default(), &ends);
+        // The edge has no extent along the second axis.
+        let beside_edge: Vec<Point> = (0..4).map(|_| free.on_edge(ends).0).collect();
+        let middle = |y: f64| [1.0 + (up - 1.0) * 0.5, y, 1.0 + (up - 1.0) * 0.5];
+        let [above, below] = [up, 1.0f64.next_down()];
+        let expected = [above, below, above.next_up(), below.next_down()].map(middle);
+        assert_eq!(beside_edge, expected);
+    }
+
+    #[test]
+    fn steps_lead_through_zero_and_past_numbers_that_are_too_large() {
+        let tiny = f64::from_bits(1);
+        let ends = [[0.0, -tiny, 0.0], [tiny, 0.0, 0.0]];
+        let mut free = beside(Clearance::default(), &ends);
+        let heights: Vec<f64> = (0..3).map(|_| free.on_edge(ends).0[2]).collect();
+        assert_eq!(heights, [tiny, -tiny, 2.0 * tiny]);
+        let ends = [[f64::MAX; 3], [f64::MAX; 3]];
+        let mut free = beside(Clearance::default(), &ends);
+        let found: Vec<f64> = (0..2).map(|_| free.on_edge(ends).0[0]).collect();
+        assert_eq!(found, [f64::MAX.next_down(), f64::MAX.next_down().next_down()]);
+    }
+
+    #[test]
+    fn an_edge_that_is_longer_than_any_number_has_a_middle() {
+        let ends = [[-f64::MAX, 0.0, 0.0], [f64::MAX, 0.0, 0.0]];
+        let mut free = beside(Clearance::default(), &ends);
+        assert_eq!(free.on_edge(ends).0, [0.0, f64::from_bits(1), 0.0]);
+    }
+
+    #[test]
+    fn what_is_nowhere_is_free() {
+        let ends = [[f64::NAN; 3], [1.0; 3]];
+        let mut free = beside(Clearance::default(), &ends);
+        assert!(free.on_edge(ends).0[0].is_nan() && free.on_edge(ends).0[0].is_nan());
+    }
+
+    #[test]
+    fn within_a_tolerance_nothing_is_free() {
+        // 1/3 and 2/3 are as near to the ends as 1/2 is to the vertex that is there.
+        let vertices = [ENDS[0], ENDS[1], [4.0, 2.0, 2.5]];
+        let found = |tolerance| beside(clearance(Precision::Double, tolerance), &vertices).on_edge(ENDS);
+        assert_eq!(found(0.4).1, (1, 2));
+        assert_eq!(found(0.5).1, (1, 3));
+        // Nothing on the edge is farther from its ends than 5: two tolerances beside the middle.
+        assert_eq!(found(5.0), ([4.0, 12.0, 2.0], (1, 2)));
+    }
+
+    #[test]
+    fn all_points_that_were_taken_are_apart() {
+        let clearance = clearance(Precision::Double, 0.3);
+        let near = Nearness::within(0.3);
+        let mut free = beside(clearance, &[[0.0; 3], [1.0, 0.0, 0.0]]);
+        let mut points = vec![[0.0; 3], [1.0, 0.0, 0.0]];
+        for _ in 0..100 {
+            let (point, _) = free.on_edge([[0.0; 3], [1.0, 0.0, 0.0]]);
+            assert!(points.iter().all(|&other| !near.are_near(other, point)), "{point:?}");
+            points.push(point);
+        }
+    }
+
+    #[test]
+    fn points_are_rounded_before_it_is_asked_whether_they_are_free() {
+        let up = f64::from(1.0f32.next_up());
+        let ends = [[1.0, 0.0, 0.0], [up, 0.0, 0.0]];
+        let double = beside(Clearance::default(), &ends).on_edge(ends);
+        assert_eq!(double.1, (1, 2));
+        let mut free = beside(clearance(Precision::Single, 0.0), &ends);
+        let tiny = f64::from(f32::from_bits(1));
+        // Of the two numbers beside the middle the one whose last bit is 0.
+        assert_eq!(free.on_edge(ends).0, [1.0, tiny, 0.0]);
+        assert_eq!(free.on_edge(ends).0, [1.0, -tiny, 0.0]);
+        // A step of less than a unit in the last place leads nowhere until there are enough of them.
+        let wide = [[1e6, 0.0, 0.0], [1e6, 0.0, 1e-3]];
+        let mut free = beside(clearance(Precision::Single, 1e-3), &wide);
+        let (point, _) = free.on_edge(wide);
+        assert_eq!(Precision::Single.round(point), point);
+        assert!(point[0] > 1e6, "{point:?}");
+    }
+
+    #[test]
+    fn a_face_has_room_at_its_mean_then_halfway_to_a_corner_then_nearer_then_beside() {
+        let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
+        let mut free = beside(Clearance::default(), &corners);
+        let found: Vec<Point> = (0..6).map(|_| free.in_face(&corners)).collect();
+        assert_eq!(found[..3], [[2.0, 2.0, 0.0], [1.0, 1.0, 0.0], [3.0, 1.0, 0.0]]);
+        assert!((found[5][0] - 4.0 / 3.0).abs() < 1e-12, "{found:?}");
+        let mut crowded = beside(clearance(Precision::Double, 5.0), &corners);
+        assert_eq!(crowded.in_face(&corners), [2.0, 2.0, 10.0]);
+    }
+
+    #[test]
+    fn a_step_is_a_unit_in_the_last_place_on_both_sides_of_zero() {
+        for precision in [Precision::Double, Precision::Single] {
+            for x in [-1.5, -0.0, 0.0, 2.0] {
+                let [up, down] = [1, -1].map(|steps| precision.moved(x, steps));
+                assert!(down < x && x < up, "{x}: {down} {up}");
+                assert_eq!(precision.moved(up, -1), x + 0.0);
+                assert_eq!(precision.round([up; 3]), [up; 3]);
+            }
+        }
+        assert_eq!(Precision::Double.moved(1.0, 1), 1.0f64.next_up());
+        assert_eq!(Precision::Single.moved(-1.0, 2), f64::from((-1.0f32).next_up().next_up()));
+    }
+}
