@@ -1,14 +1,15 @@
-//! Springs whose rest is the discrete harmonic map: as strong as the cotangents of the two angles across the edge.
+//! Cotangent weights, whose solution is the discrete harmonic map: an edge weighs as much as the cotangents of the
+//! two angles across it.
 //!
 //! *Source*: U. Pinkall, K. Polthier, *Computing discrete minimal surfaces and their conjugates*, 1993.
 
 use crate::FlattenError;
 use crate::discs::{Discs, norm};
-use crate::springs::Springs;
+use crate::laplacian::Laplacian;
 
-/// Half the sum of the cotangents across each spring.
-pub(crate) fn cotangents(discs: &Discs, springs: &Springs) -> Result<Vec<f64>, FlattenError> {
-    let mut strengths = vec![0.0; springs.ends.len()];
+/// Half the sum of the cotangents across each edge.
+pub(crate) fn cotangents(discs: &Discs, laplacian: &Laplacian) -> Result<Vec<f64>, FlattenError> {
+    let mut weights = vec![0.0; laplacian.ends.len()];
     for (triangle, &face) in discs.triangles.iter().zip(&discs.face_of) {
         for corner in 0..3 {
             let [apex, a, b] = [0, 1, 2].map(|i| triangle[(corner + i) % 3]);
@@ -16,12 +17,12 @@ pub(crate) fn cotangents(discs: &Discs, springs: &Springs) -> Result<Vec<f64>, F
             if !cotangent.is_finite() {
                 return Err(FlattenError::NoCotangent { face });
             }
-            if let Some(spring) = springs.between(a, b) {
-                strengths[spring] += cotangent / 2.0;
+            if let Some(spring) = laplacian.between(a, b) {
+                weights[spring] += cotangent / 2.0;
             }
         }
     }
-    Ok(strengths)
+    Ok(weights)
 }
 
 /// That of the angle between two vectors; not finite where there is no angle.

@@ -8,14 +8,14 @@
 //!           └──x──┘
 //! ```
 //!
-//! A free node is flat on a side when every way from it to the rest of the boundary leads through a node of that side.
-//! The theorem puts it exactly on the side, rounding only nearly; so it is put there.
+//! A free node is flat on a side when every way from it to the rest of the boundary leads through a node of that
+//! side. The theorem puts it exactly on the side, rounding only nearly; so it is put there.
 
 use meshmend_core::FaceId;
 
+use crate::boundary_placement::Cell;
 use crate::discs::Discs;
-use crate::rim::Cell;
-use crate::springs::Springs;
+use crate::laplacian::Laplacian;
 
 /// The nodes on a side of a square, those of the boundary too.
 #[derive(Debug, Default)]
@@ -30,10 +30,10 @@ const NONE: u32 = u32::MAX;
 
 impl Flat {
     /// Those of discs whose rims are on squares; only the points of the rims count.
-    pub(crate) fn find(springs: &Springs, discs: &Discs, cells: &[Cell], points: &[[f64; 2]]) -> Self {
-        let neighbours = Neighbours::of(springs, points.len());
+    pub(crate) fn find(laplacian: &Laplacian, discs: &Discs, cells: &[Cell], points: &[[f64; 2]]) -> Self {
+        let neighbours = Neighbours::of(laplacian, points.len());
         let disc_of = neighbours.reach(discs.rim_nodes(), |_| true);
-        let free = || (0..points.len() as u32).filter(|&node| springs.is_free(node as usize));
+        let free = || (0..points.len() as u32).filter(|&node| laplacian.is_free(node as usize));
         let mut flat = Flat { sides: vec![0; points.len()], pressed: Vec::new() };
         for side in 0..4 {
             let line = |disc: u32| cells[disc as usize].line(side);
@@ -41,7 +41,7 @@ impl Flat {
             let (on, off): (Vec<_>, Vec<_>) =
                 discs.rim_nodes().partition(|&(node, disc)| is_on(node, line(disc)));
             on.iter().for_each(|&(node, _)| flat.sides[node as usize] |= 1 << side);
-            let reached = neighbours.reach(off.into_iter(), |node| springs.is_free(node as usize));
+            let reached = neighbours.reach(off.into_iter(), |node| laplacian.is_free(node as usize));
             for node in free().filter(|&node| reached[node as usize] == NONE) {
                 let (axis, value) = line(disc_of[node as usize]);
                 flat.sides[node as usize] |= 1 << side;
@@ -76,20 +76,20 @@ impl Flat {
     }
 }
 
-/// The nodes that springs lead to, node by node.
+/// The nodes that an edge joins to each node.
 struct Neighbours {
     starts: Vec<u32>,
     nodes: Vec<u32>,
 }
 
 impl Neighbours {
-    fn of(springs: &Springs, node_count: usize) -> Self {
+    fn of(laplacian: &Laplacian, node_count: usize) -> Self {
         let mut starts = vec![0u32; node_count + 1];
-        springs.ends.iter().flatten().for_each(|&node| starts[node as usize + 1] += 1);
+        laplacian.ends.iter().flatten().for_each(|&node| starts[node as usize + 1] += 1);
         (0..node_count).for_each(|node| starts[node + 1] += starts[node]);
-        let mut nodes = vec![0; 2 * springs.ends.len()];
+        let mut nodes = vec![0; 2 * laplacian.ends.len()];
         let mut next = starts.clone();
-        for &[a, b] in &springs.ends {
+        for &[a, b] in &laplacian.ends {
             for (from, to) in [(a, b), (b, a)] {
                 nodes[next[from as usize] as usize] = to;
                 next[from as usize] += 1;

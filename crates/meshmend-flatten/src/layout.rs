@@ -3,13 +3,13 @@
 use meshmend_core::{FaceId, PolygonMesh, VertexId};
 use thiserror::Error;
 
+use crate::boundary_placement::{Cell, Outline, corners_by_length, rim_points};
 use crate::cotangents::cotangents;
 use crate::discs::Discs;
-use crate::evening::evened;
 use crate::flat::Flat;
+use crate::laplacian::Laplacian;
 use crate::orientation::bad_faces;
-use crate::rim::{Cell, Outline, corners_by_length, rim_points};
-use crate::springs::Springs;
+use crate::reweighting::reweighted;
 use crate::untangle::untangle;
 
 /// How to lay a mesh out.
@@ -43,12 +43,12 @@ pub enum Boundary {
 /// How strongly a vertex is drawn to each of its neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Weights {
-    /// Equally, as Tutte has it. Where the layout becomes too small for doubles the weights are evened out, and stay
-    /// positive: see [`Layout::rounds`].
+    /// Equally, as Tutte has it. Where the layout becomes too small for doubles the edges are weighted anew, and
+    /// weights stay positive: see [`Layout::rounds`].
     #[default]
     Uniform,
-    /// By the cotangents of the angles across the edge: the layout that changes angles least, a discrete harmonic map.
-    /// Obtuse triangles make weights negative, and may be flipped.
+    /// By the cotangents of the angles across the edge: the layout that changes angles least, a discrete harmonic
+    /// map. Obtuse triangles make weights negative, and may be flipped.
     Cotangent,
 }
 
@@ -63,7 +63,7 @@ pub struct Layout {
     pub flipped: Vec<FaceId>,
     /// Faces with a part that has no area and none that is flipped, ascending.
     pub collapsed: Vec<FaceId>,
-    /// How often the weights were evened out.
+    /// How often the edges were weighted anew.
     pub rounds: usize,
 }
 
@@ -71,7 +71,7 @@ pub struct Layout {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum FlattenError {
-    /// A component is no disc, and only discs can be laid out.
+    /// A component is not a disc, and only discs can be laid out.
     #[error("the component of {vertex} is {}: only a disc can be laid out, so cut it open first", name.as_deref().unwrap_or("no surface"))]
     NotADisc {
         /// Its lowest vertex.
@@ -97,15 +97,15 @@ pub enum FlattenError {
         /// The face.
         face: FaceId,
     },
-    /// The weights hold the vertices nowhere.
-    #[error("the weights hold the vertices nowhere: the equations have no solution in doubles")]
+    /// The equations have no solution in doubles.
+    #[error("the equations of the layout have no solution in doubles")]
     NoRest,
     /// There is not enough memory.
     #[error("there is not enough memory for the equations")]
     OutOfMemory,
 }
 
-/// Rounds of evening out go on while one of so many in a row leaves fewer bad faces than any before.
+/// Reweighting goes on as long as one of this many rounds in a row leaves fewer bad faces than any before.
 const PATIENCE: usize = 4;
 
 impl Layout {
@@ -120,7 +120,7 @@ impl Layout {
 /// The point of a vertex depends on ids and lengths alone, not on the number of threads.
 ///
 /// # Errors
-/// When a component is no disc, a face is not simple, or the weights can't be had.
+/// When a component is not a disc, a face is not simple, or the weights can't be computed.
 ///
 /// *Cost*: a sparse factorisation, about n^1.5 for n vertices, and as many again as rounds are needed; about a
 /// kilobyte a vertex.
@@ -139,16 +139,17 @@ pub fn flatten(mesh: &PolygonMesh, request: &Flatten) -> Result<Layout, FlattenE
         let places = rim_points(&lengths, outline, cell);
         rim.iter().zip(places).for_each(|(&node, place)| points[node as usize] = place);
     }
-    let springs = Springs::of(&discs.triangles, discs.places.len(), discs.rims.iter().flatten().copied())?;
+    let laplacian =
+        Laplacian::of(&discs.triangles, discs.places.len(), discs.rims.iter().flatten().copied())?;
     let flat = match request.boundary {
         Boundary::Circle => Flat::default(),
-        _ => Flat::find(&springs, &discs, &cells, &points),
+        _ => Flat::find(&laplacian, &discs, &cells, &points),
     };
-    let work = Work { discs: &discs, springs: &springs, flat: &flat };
+    let work = Work { discs: &discs, laplacian: &laplacian, flat: &flat };
     let mut layout = match request.weights {
         Weights::Uniform => work.uniform(points)?,
         Weights::Cotangent => {
-            work.relax(&cotangents(&discs, &springs)?, &mut points)?;
+            work.solve(&cotangents(&discs, &laplacian)?, &mut points)?;
             work.layout(points, 0)
         }
     };
@@ -171,13 +172,13 @@ fn places_in(rim: &[u32], corners: [VertexId; 4]) -> Option<[usize; 4]> {
 /// What a layout is made of.
 struct Work<'a> {
     discs: &'a Discs,
-    springs: &'a Springs,
+    laplacian: &'a Laplacian,
     flat: &'a Flat,
 }
 
 impl Work<'_> {
-    fn relax(&self, strengths: &[f64], points: &mut [[f64; 2]]) -> Result<(), FlattenError> {
-        self.springs.relax(strengths, points)?;
+    fn solve(&self, weights: &[f64], points: &mut [[f64; 2]]) -> Result<(), FlattenError> {
+        self.laplacian.solve(weights, points)?;
         self.flat.press(points);
         Ok(())
     }
@@ -187,10 +188,10 @@ impl Work<'_> {
         Layout { points, discs: self.discs.rims.len(), flipped, collapsed, rounds }
     }
 
-    /// Equal strengths, evened out while that leaves fewer bad faces; what is bad then is untangled.
+    /// Equal weights, reweighted while that leaves fewer bad faces. The faces that are bad then are untangled.
     fn uniform(&self, mut points: Vec<[f64; 2]>) -> Result<Layout, FlattenError> {
-        let (triangles, ends) = (&self.discs.triangles, &self.springs.ends);
-        self.relax(&vec![1.0; ends.len()], &mut points)?;
+        let (triangles, ends) = (&self.discs.triangles, &self.laplacian.ends);
+        self.solve(&vec![1.0; ends.len()], &mut points)?;
         let unavoidable = self.flat.collapsed_faces(self.discs);
         let bad = |layout: &Layout| layout.flipped.len() + layout.collapsed.len();
         let mut best = self.layout(points.clone(), 0);
@@ -199,16 +200,16 @@ impl Work<'_> {
             if bad(&best) <= unavoidable || round > best.rounds + PATIENCE {
                 break;
             }
-            factors = evened(&factors, triangles, &points);
+            factors = reweighted(&factors, triangles, &points);
             let product = |ends: &[u32; 2]| factors[ends[0] as usize] * factors[ends[1] as usize];
-            self.relax(&ends.iter().map(product).collect::<Vec<f64>>(), &mut points)?;
+            self.solve(&ends.iter().map(product).collect::<Vec<f64>>(), &mut points)?;
             let layout = self.layout(points.clone(), round);
             if bad(&layout) < bad(&best) {
                 best = layout;
             }
         }
         if bad(&best) > unavoidable {
-            let may_move = |node: u32| self.springs.is_free(node as usize) && !self.flat.holds(node);
+            let may_move = |node: u32| self.laplacian.is_free(node as usize) && !self.flat.holds(node);
             untangle(triangles, &mut best.points, may_move);
             best = self.layout(best.points, best.rounds);
         }

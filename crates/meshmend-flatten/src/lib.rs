@@ -1,7 +1,7 @@
 //! A disc laid out in the plane: one point of the unit square for each vertex, no face flipped.
 //!
 //! The boundary is put on a convex polygon by its length, and every other vertex in the weighted mean of its
-//! neighbours: springs that have come to rest. With positive weights that is one-to-one, by Tutte's theorem, and
+//! neighbours. With positive weights that is one-to-one, by Tutte's theorem, and
 //! what rounding does to it is not left to trust: the orientation of each triangle is found exactly, and a layout
 //! names the faces that are [flipped](Layout::flipped) or [collapsed](Layout::collapsed).
 //!
@@ -25,14 +25,14 @@
 //! triangulations*, 2003. S. Yoshizawa, A. Belyaev, H.-P. Seidel, *A fast and simple stretch-minimizing mesh
 //! parameterization*, 2004.
 
+mod boundary_placement;
 mod cotangents;
 mod discs;
-mod evening;
 mod flat;
+mod laplacian;
 mod layout;
 mod orientation;
-mod rim;
-mod springs;
+mod reweighting;
 mod svg;
 mod untangle;
 

@@ -1,9 +1,9 @@
 //! The last few faces that rounding has flipped or collapsed, put right one node at a time.
 //!
 //! A node may be anywhere in the *kernel* of its star: where it sees every side of the polygon around it from inside.
-//! Springs leave it there, but in a corner so narrow that their rest can't be told from the outside in doubles, it may
-//! be rounded out; the middle of the kernel is as far from all sides as can be had. A node moves only if all
-//! triangles of its star are then well oriented, by the exact test.
+//! The equations put it there. In a corner so narrow that doubles can't tell their solution from the outside, it may
+//! be rounded out; the middle of the kernel is as far from all sides as can be. A node moves only if all triangles of
+//! its star are then well oriented, by the exact test.
 
 use std::cmp::Ordering;
 

@@ -157,9 +157,9 @@ fn what_collapses_on_a_square_is_named() {
     assert!(collapsed > 0);
 }
 
-/// Far down a finger plain springs leave rings smaller than doubles resolve; weaker ones there make room.
+/// Far down a finger equal weights leave rings smaller than doubles resolve; lower ones there make room.
 #[test]
-fn a_long_finger_needs_evening_out_and_is_laid_out() {
+fn a_long_finger_needs_reweighting_and_is_laid_out() {
     let short = laid_out(&finger(12, 12), Boundary::Circle, Weights::Uniform);
     assert_eq!((short.rounds, short.is_one_to_one()), (0, true));
     let finger = finger(12, 120);

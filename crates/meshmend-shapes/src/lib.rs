@@ -23,10 +23,10 @@ mod branching;
 mod extreme;
 mod generators;
 mod grid;
+mod mesh_builder;
 mod platonic;
 mod schemes;
 mod shape;
-mod sketch;
 mod surface;
 mod truth;
 

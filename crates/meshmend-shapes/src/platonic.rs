@@ -8,7 +8,7 @@
 //! | dodecahedron | 20 | 30 | 12 |
 //! | icosahedron | 12 | 30 | 20 |
 
-use crate::sketch::Sketch;
+use crate::mesh_builder::MeshBuilder;
 use crate::{Closed, Shape, ShapeError};
 
 /// Four triangles. V = 4, E = 6, F = 4.
@@ -34,7 +34,7 @@ pub fn cube() -> Result<Shape, ShapeError> {
 pub fn octahedron() -> Result<Shape, ShapeError> {
     let positions = [[1., 0., 0.], [-1., 0., 0.], [0., 1., 0.], [0., -1., 0.], [0., 0., 1.], [0., 0., -1.]];
     let faces = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
-    solid("octahedron", sketch(positions, faces), [6, 12, 8])
+    solid("octahedron", builder(positions, faces), [6, 12, 8])
 }
 
 /// Twelve pentagons: the dual of the icosahedron. V = 20, E = 30, F = 12.
@@ -44,7 +44,7 @@ pub fn octahedron() -> Result<Shape, ShapeError> {
 pub fn dodecahedron() -> Result<Shape, ShapeError> {
     let (points, triangles) = icosahedron_parts();
     let sum = |axis: usize, face: &[u32; 3]| face.iter().map(|&v| points[v as usize][axis]).sum::<f64>();
-    let mut dual = Sketch::default();
+    let mut dual = MeshBuilder::default();
     dual.points(triangles.iter().map(|face| [0, 1, 2].map(|axis| sum(axis, face))));
     for v in 0..points.len() as u32 {
         dual.face(&round(&triangles, v));
@@ -58,19 +58,19 @@ pub fn dodecahedron() -> Result<Shape, ShapeError> {
 /// None: it is small.
 pub fn icosahedron() -> Result<Shape, ShapeError> {
     let (points, triangles) = icosahedron_parts();
-    solid("icosahedron", sketch(points, triangles), [12, 30, 20])
+    solid("icosahedron", builder(points, triangles), [12, 30, 20])
 }
 
-pub(crate) fn tetrahedron_sketch() -> Sketch {
+pub(crate) fn tetrahedron_sketch() -> MeshBuilder {
     let positions = [[1., 1., 1.], [1., -1., -1.], [-1., 1., -1.], [-1., -1., 1.]];
-    sketch(positions, [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+    builder(positions, [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
 }
 
 /// The cube between the corners (0, 0, 0) and (1, 1, 1), six squares outward; vertex 4x + 2y + z.
-pub(crate) fn unit_box() -> Sketch {
+pub(crate) fn unit_box() -> MeshBuilder {
     let positions = (0..8).map(|i| [f64::from(i / 4), f64::from(i / 2 % 2), f64::from(i % 2)]);
     let faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
-    sketch(positions, faces)
+    builder(positions, faces)
 }
 
 fn icosahedron_parts() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
@@ -107,18 +107,18 @@ fn round(triangles: &[[u32; 3]], vertex: u32) -> Vec<u32> {
     std::iter::successors(star.first().copied(), next).take(star.len()).map(|(face, _)| face).collect()
 }
 
-fn solid(name: &str, sketch: Sketch, counts: [usize; 3]) -> Result<Shape, ShapeError> {
-    sketch.surface(name, Closed::Handles(0), 0, counts)
+fn solid(name: &str, builder: MeshBuilder, counts: [usize; 3]) -> Result<Shape, ShapeError> {
+    builder.surface(name, Closed::Handles(0), 0, counts)
 }
 
-fn sketch<const N: usize>(
+fn builder<const N: usize>(
     points: impl IntoIterator<Item = [f64; 3]>,
     faces: impl IntoIterator<Item = [u32; N]>,
-) -> Sketch {
-    let mut sketch = Sketch::default();
-    sketch.points(points);
-    faces.into_iter().for_each(|face| sketch.face(&face));
-    sketch
+) -> MeshBuilder {
+    let mut builder = MeshBuilder::default();
+    builder.points(points);
+    faces.into_iter().for_each(|face| builder.face(&face));
+    builder
 }
 
 fn distance_squared(points: &[[f64; 3]], a: u32, b: u32) -> f64 {

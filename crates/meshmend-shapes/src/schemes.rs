@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use meshmend_core::PolygonMesh;
 
-use crate::sketch::{Sketch, at_least, general_position};
+use crate::mesh_builder::{MeshBuilder, at_least, general_position};
 use crate::{Closed, Shape, ShapeError, Truth};
 
 /// A disc of w quads and w triangles whose rim, of w corners, spells a word; vertices of the word are the lowest.
@@ -22,27 +22,27 @@ pub fn disc_with_rim(word: &[u32]) -> Result<PolygonMesh, ShapeError> {
     rim_sketch(word)?.mesh()
 }
 
-fn rim_sketch(word: &[u32]) -> Result<Sketch, ShapeError> {
+fn rim_sketch(word: &[u32]) -> Result<MeshBuilder, ShapeError> {
     let rim_vertices = word.iter().max().map_or(0, |&v| v as usize + 1);
-    let mut sketch = Sketch::with_room(&[7, word.len()])?;
-    Sketch::with_room(&[rim_vertices])?;
+    let mut builder = MeshBuilder::with_room(&[7, word.len()])?;
+    MeshBuilder::with_room(&[rim_vertices])?;
     let ring = |count: usize, radius: f64, height: f64| {
         (0..count).map(move |i| {
             let turn = TAU * i as f64 / count as f64;
             [radius * turn.cos(), radius * turn.sin(), height * (i + 1) as f64]
         })
     };
-    sketch.points(ring(rim_vertices, 3.0, 0.25));
-    let first = sketch.next();
-    sketch.points(ring(word.len(), 1.0, 0.0));
-    let centre = sketch.point([0.0; 3]);
+    builder.points(ring(rim_vertices, 3.0, 0.25));
+    let first = builder.next();
+    builder.points(ring(word.len(), 1.0, 0.0));
+    let centre = builder.point([0.0; 3]);
     let w = word.len() as u32;
     let inner = |i: u32| first + i % w;
     for (i, (here, next)) in (0..).zip(word.iter().zip(word.iter().cycle().skip(1))) {
-        sketch.face(&[*here, *next, inner(i + 1), inner(i)]);
-        sketch.face(&[inner(i), inner(i + 1), centre]);
+        builder.face(&[*here, *next, inner(i + 1), inner(i)]);
+        builder.face(&[inner(i), inner(i + 1), centre]);
     }
-    Ok(sketch)
+    Ok(builder)
 }
 
 /// The dunce hat: a triangle with sides a, a, a⁻¹. V = 13, E = 30, F = 18; contractible, β = (1, 0, 0), with three
@@ -61,16 +61,16 @@ pub fn dunce_hat() -> Result<Shape, ShapeError> {
 /// When k is 0 or too large.
 pub fn wrapped_disc(k: usize) -> Result<Shape, ShapeError> {
     at_least(1, "the number of turns", k)?;
-    Sketch::with_room(&[21, k])?;
-    let sketch = rim_sketch(&[0, 1, 2].repeat(k))?;
+    MeshBuilder::with_room(&[21, k])?;
+    let builder = rim_sketch(&[0, 1, 2].repeat(k))?;
     let (name, counts) = (format!("disc wrapped {k} times"), [3 * k + 4, 9 * k + 3, 6 * k]);
     match k {
-        1 => sketch.surface(name, Closed::Handles(0), 1, counts),
-        2 => sketch.surface(name, Closed::CrossCaps(1), 0, counts),
+        1 => builder.surface(name, Closed::Handles(0), 1, counts),
+        2 => builder.surface(name, Closed::CrossCaps(1), 0, counts),
         _ => {
             let even = 1 - k % 2;
             let truth = Truth { betti_z2: [1, even, even], ..Truth::branched([1, 0, 0], counts) };
-            sketch.shape(name, truth)
+            builder.shape(name, truth)
         }
     }
 }
@@ -126,9 +126,9 @@ fn seven_vertex_torus_faces() -> [[u32; 3]; 14] {
     })
 }
 
-fn general(vertex_count: usize, faces: &[[u32; 3]]) -> Sketch {
-    let mut sketch = Sketch::default();
-    sketch.points(general_position(vertex_count));
-    faces.iter().for_each(|face| sketch.face(face));
-    sketch
+fn general(vertex_count: usize, faces: &[[u32; 3]]) -> MeshBuilder {
+    let mut builder = MeshBuilder::default();
+    builder.points(general_position(vertex_count));
+    faces.iter().for_each(|face| builder.face(face));
+    builder
 }

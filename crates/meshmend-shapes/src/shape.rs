@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::Truth;
 use crate::generators::Parameter;
-use crate::sketch::Sketch;
+use crate::mesh_builder::MeshBuilder;
 
 /// A mesh and what is true of it.
 #[derive(Clone, Debug)]
@@ -51,11 +51,11 @@ pub enum ShapeError {
 }
 
 impl Shape {
-    /// The same surface or complex with each edge halved and each face of n corners cut into n quads that meet in a new
-    /// vertex inside it: V' = V + E + F, E' = 2E + Σn and F' = Σn.
+    /// The same surface or complex with each edge halved and each face of n corners cut into n quads that meet in a
+    /// new vertex inside it: V' = V + E + F, E' = 2E + Σn and F' = Σn.
     ///
-    /// Its faces must be simple, as those of every shape but [`out_and_back`](crate::out_and_back) are. Where a surface
-    /// passes through itself new vertices may coincide.
+    /// Its faces must be simple, as those of every shape but [`out_and_back`](crate::out_and_back) are. Where a
+    /// surface passes through itself new vertices may coincide.
     ///
     /// # Errors
     /// When that is too large.
@@ -63,11 +63,11 @@ impl Shape {
     /// *Cost*: linear.
     pub fn refined(&self) -> Result<Shape, ShapeError> {
         let (faces, edges) = (self.mesh.complex().faces(), self.mesh.complex().edges());
-        let mut sketch = Sketch::with_room(&[faces.corner_count(), 4])?;
+        let mut builder = MeshBuilder::with_room(&[faces.corner_count(), 4])?;
         let place = |v: &VertexId| self.mesh.position(*v);
         let middles = edges.all_ends().iter().map(|ends| mean(ends.iter().map(place)));
         let centres = faces.faces().map(|face| mean(faces.face_vertices(face).iter().map(place)));
-        sketch.points(self.mesh.positions().iter().copied().chain(middles).chain(centres));
+        builder.points(self.mesh.positions().iter().copied().chain(middles).chain(centres));
         let (vertex_count, edge_count) = (faces.vertex_count(), edges.edge_count());
         let middle = |corner| (vertex_count + edges.corner_edge(corner).index()) as u32;
         for face in faces.faces() {
@@ -75,13 +75,13 @@ impl Shape {
             let mut before = faces.face_corners(face).next_back();
             for corner in faces.face_corners(face) {
                 let last = before.replace(corner).unwrap_or(corner);
-                sketch.face(&[faces.corner_vertex(corner).0, middle(corner), centre, middle(last)]);
+                builder.face(&[faces.corner_vertex(corner).0, middle(corner), centre, middle(last)]);
             }
         }
         let Truth { vertices, edges, faces: face_count, .. } = self.truth;
         let corners = faces.corner_count();
         let counts = [vertices + edges + face_count, 2 * edges + corners, corners];
-        sketch.shape(format!("{}, refined", self.name), self.truth.with_counts(counts))
+        builder.shape(format!("{}, refined", self.name), self.truth.with_counts(counts))
     }
 
     /// The same with each face of n > 3 corners cut into n − 2 triangles from its first corner, by n − 3 new edges.
@@ -94,18 +94,18 @@ impl Shape {
     /// *Cost*: linear.
     pub fn triangulated(&self) -> Result<Shape, ShapeError> {
         let faces = self.mesh.faces();
-        let mut sketch = Sketch::with_room(&[faces.corner_count(), 3])?;
-        sketch.points(self.mesh.positions().iter().copied());
+        let mut builder = MeshBuilder::with_room(&[faces.corner_count(), 3])?;
+        builder.points(self.mesh.positions().iter().copied());
         for face in faces.faces() {
             if let [first, rest @ ..] = faces.face_vertices(face) {
-                rest.windows(2).for_each(|pair| sketch.face(&[first.0, pair[0].0, pair[1].0]));
+                rest.windows(2).for_each(|pair| builder.face(&[first.0, pair[0].0, pair[1].0]));
             }
         }
         let Truth { vertices, edges, faces: face_count, .. } = self.truth;
         let diagonals = faces.corner_count() - 3 * face_count;
         let counts = [vertices, edges + diagonals, face_count + diagonals];
         let name = if diagonals > 0 { format!("{} in triangles", self.name) } else { self.name.clone() };
-        sketch.shape(name, self.truth.with_counts(counts))
+        builder.shape(name, self.truth.with_counts(counts))
     }
 }
 

@@ -10,8 +10,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::mesh_builder::{MeshBuilder, at_least};
 use crate::schemes::PROJECTIVE_PLANE;
-use crate::sketch::{Sketch, at_least};
 use crate::{Closed, Shape, ShapeError};
 
 /// The surface of a kind with so many holes, of quads, on a slab whose cubes have n × n of them a side.
@@ -37,19 +37,19 @@ pub fn surface(kind: Closed, holes: usize, n: usize) -> Result<Shape, ShapeError
     at_least(1, "the resolution", n)?;
     let features = handles.saturating_add(caps).saturating_add(holes);
     let columns = features.max(1).saturating_mul(2).saturating_add(1);
-    let mut sketch = Sketch::with_room(&[columns.saturating_mul(12), n, n, 4])?;
+    let mut builder = MeshBuilder::with_room(&[columns.saturating_mul(12), n, n, 4])?;
     let slab = Slab { columns, n, handles, caps, holes };
-    let first = slab.place_points(&mut sketch);
+    let first = slab.place_points(&mut builder);
     let lattice = Lattice { slab: &slab, first: &first };
-    lattice.add_faces(&mut sketch);
+    lattice.add_faces(&mut builder);
     for cap in handles..handles + caps {
-        add_cross_cap(&mut sketch, &lattice.rim(2 * cap + 1), [(2 * cap + 1) as f64 + 0.5, 1.5]);
+        add_cross_cap(&mut builder, &lattice.rim(2 * cap + 1), [(2 * cap + 1) as f64 + 0.5, 1.5]);
     }
     let what = match kind {
         Closed::Handles(genus) => format!("of genus {genus}"),
         Closed::CrossCaps(caps) => format!("with {caps} cross-caps"),
     };
-    sketch.surface(format!("surface {what}, {holes} holes, resolution {n}"), kind, holes, slab.counts())
+    builder.surface(format!("surface {what}, {holes} holes, resolution {n}"), kind, holes, slab.counts())
 }
 
 /// Coarse cells are cubes, fine cells the columns of n × n a cube; lattice points are the corners of fine cells.
@@ -119,21 +119,21 @@ impl Slab {
     }
 
     /// Adds the vertices above each lattice point, from the ground up.
-    fn place_points(&self, sketch: &mut Sketch) -> Vec<u32> {
+    fn place_points(&self, builder: &mut MeshBuilder) -> Vec<u32> {
         let [along, across] = self.extent();
         let mut first = Vec::with_capacity(along * across);
         for (x, y) in (0..along).flat_map(|x| (0..across).map(move |y| (x, y))) {
-            first.push(sketch.next());
+            first.push(builder.next());
             let cells = self.round(x, y);
             let height = |z: usize| [x, y, z].map(|i| i as f64 / self.n as f64);
             if cells == [Cell::Open; 4] {
-                sketch.point(height(0));
+                builder.point(height(0));
             } else if cells == [Cell::Empty; 4] {
                 continue;
             } else if cells.contains(&Cell::Empty) {
-                sketch.points((0..=self.n).map(height));
+                builder.points((0..=self.n).map(height));
             } else {
-                sketch.points([height(0), height(self.n)]);
+                builder.points([height(0), height(self.n)]);
             }
         }
         first
@@ -151,7 +151,7 @@ impl Lattice<'_> {
     }
 
     /// Adds the squares of each cell: above, below, and where its neighbour is empty.
-    fn add_faces(&self, sketch: &mut Sketch) {
+    fn add_faces(&self, builder: &mut MeshBuilder) {
         let [along, across] = self.slab.extent();
         for (x, y) in (0..along - 1).flat_map(|x| (0..across - 1).map(move |y| (x, y))) {
             let cell = self.slab.cell(x, y);
@@ -160,16 +160,16 @@ impl Lattice<'_> {
             }
             let corners = [[x, y], [x + 1, y], [x + 1, y + 1], [x, y + 1]];
             if cell == Cell::Solid {
-                sketch.face(&corners.map(|corner| self.top(corner)));
+                builder.face(&corners.map(|corner| self.top(corner)));
             }
             let [a, b, c, d] = corners.map(|corner| self.bottom(corner));
-            sketch.face(&[a, d, c, b]);
+            builder.face(&[a, d, c, b]);
             let beside = [(x, y.wrapping_sub(1)), (x + 1, y), (x, y + 1), (x.wrapping_sub(1), y)];
             for (side, (x, y)) in beside.into_iter().enumerate() {
                 if self.slab.cell(x, y) == Cell::Empty {
                     let [from, to] = [side, (side + 1) % 4].map(|i| self.bottom(corners[i]));
                     (0..self.slab.n as u32)
-                        .for_each(|z| sketch.face(&[from + z, to + z, to + z + 1, from + z + 1]));
+                        .for_each(|z| builder.face(&[from + z, to + z, to + z + 1, from + z + 1]));
                 }
             }
         }
@@ -189,20 +189,20 @@ impl Lattice<'_> {
 
 /// Glues a Möbius band into a rim of 4n vertices: opposite points of the rim lead to the same point of a circle; for
 /// n = 1, where that circle would have two points, the six-vertex projective plane less two triangles.
-fn add_cross_cap(sketch: &mut Sketch, rim: &[u32], [x, y]: [f64; 2]) {
+fn add_cross_cap(builder: &mut MeshBuilder, rim: &[u32], [x, y]: [f64; 2]) {
     let half = rim.len() / 2;
-    let first = sketch.next();
-    sketch.points((0..half).map(|i| {
+    let first = builder.next();
+    builder.points((0..half).map(|i| {
         let turn = TAU * (i as f64 + 0.25) / half as f64;
         [x + 0.25 * turn.cos(), y + 0.25 * turn.sin(), 1.5]
     }));
     if let [a, b, c, d] = *rim {
         let names = [a, b, c, d, first, first + 1];
-        PROJECTIVE_PLANE[2..].iter().for_each(|face| sketch.face(&face.map(|v| names[v as usize])));
+        PROJECTIVE_PLANE[2..].iter().for_each(|face| builder.face(&face.map(|v| names[v as usize])));
         return;
     }
     let circle = |i: usize| first + (i % half) as u32;
     for i in 0..rim.len() {
-        sketch.face(&[rim[i], rim[(i + 1) % rim.len()], circle(i + 1), circle(i)]);
+        builder.face(&[rim[i], rim[(i + 1) % rim.len()], circle(i + 1), circle(i)]);
     }
 }

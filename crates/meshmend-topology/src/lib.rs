@@ -24,13 +24,13 @@ mod component_kinds;
 mod components;
 mod crossings;
 mod defect_list;
+mod dual_graph;
 mod duplicates;
 mod elimination;
 mod face_shape;
 mod gluing;
 mod ids;
 mod incremental;
-mod joints;
 mod loops;
 mod one_sided;
 mod orientability;
@@ -47,12 +47,12 @@ pub use boundary::{BoundaryLoops, boundary_loops};
 pub use component_kinds::{ComponentFacts, ComponentKind, component_facts, component_kinds};
 pub use components::{Components, components};
 pub use defect_list::DefectList;
+pub use dual_graph::DualEdge;
 pub use duplicates::{AlikeFace, DuplicateFace, Likeness, alike_faces, duplicate_faces};
 pub use face_shape::{faces_with_repeated_corners, non_simple_faces};
 pub use gluing::{GluingWord, Letter};
 pub use ids::{ComponentId, PatchId};
 pub use incremental::{Cell, Effect, Incremental, REDUCTION_BUDGET, Step, incremental, incremental_within};
-pub use joints::Joint;
 pub use loops::{
     CoTree, ComponentGenerators, CutGraph, Generator, GeneratorError, GeneratorKind, GeneratorOptions,
     Generators, LoopSystem, Measure, Roots, cut_graph, generators,

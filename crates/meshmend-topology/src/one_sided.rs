@@ -1,9 +1,10 @@
 //! Which closed strip of faces is the shortest that comes back mirrored?
 //!
-//! The *shortest one-sided loop* of a patch that is not orientable: a shortest path between the two copies of one face
-//! in the orientation double cover, least over all faces. Its faces are all different, for a strip that comes back to
-//! a face falls into two, one of which is mirrored and shorter. Of equally short ones it is that with the lowest face,
-//! and of those through that face the one whose edges from there are the lowest, compared one after another.
+//! The *shortest one-sided loop* of a patch that is not orientable: a shortest path between the two copies of one
+//! face in the orientation double cover, least over all faces. Its faces are all different, for a strip that comes
+//! back to a face falls into two, one of which is mirrored and shorter. Of equally short ones it is that with the
+//! lowest face, and of those through that face the one whose edges from there are the lowest, compared one after
+//! another.
 //!
 //! Every one-sided loop crosses the [seam](crate::seams) of its patch, so only the faces at a short seam are asked,
 //! and each search ends half as far away as the best loop so far is long.
@@ -11,8 +12,8 @@
 use meshmend_core::{Connectivity, EdgeId};
 use serde::Serialize;
 
-use crate::joints::{TiedFaces, TwistedPatches};
-use crate::seam::cut_ties;
+use crate::dual_graph::{DualGraph, TwistedPatches};
+use crate::seam::cut_signed_edges;
 use crate::{OneSidedStrip, PatchId, Patches, orientability};
 
 mod search;
@@ -52,8 +53,8 @@ pub fn one_sided_loops<K: Connectivity>(kernel: &K, patches: &Patches) -> Vec<On
     shortest(kernel, patches, None, ONE_SIDED_BUDGET)
 }
 
-/// The shortest one-sided loop of each patch that is not orientable, by lengths of the steps across edges, such as the
-/// ways between the centres of faces.
+/// The shortest one-sided loop of each patch that is not orientable, by lengths of the steps across edges, such as
+/// the ways between the centres of faces.
 ///
 /// A patch in which a length is no number from 0 on is measured in faces. Lengths count in steps of the 2³¹st part of
 /// the longest one, and as one step at least.
@@ -75,7 +76,7 @@ fn shortest<K: Connectivity>(
     budget: u64,
 ) -> Vec<OneSidedLoop> {
     let twisted = TwistedPatches::of(kernel, patches, length);
-    let tied = TiedFaces::of(&twisted.joints);
+    let tied = DualGraph::of(&twisted.dual_edges);
     let mut starts = starts(patches, &twisted, &tied).into_iter().peekable();
     let mut search = Search::new(&tied.graph, budget);
     let shortened = orientability(kernel, patches).one_sided.into_iter().map(|witness| {
@@ -83,8 +84,8 @@ fn shortest<K: Connectivity>(
         let (round, is_shortest) = best_round(&mut search, of_patch, twisted.length(&witness.edges));
         let strip = match round {
             Some(round) => {
-                let ties = search.lowest_ties(round.lowest, round.length);
-                strip(&twisted, &tied, (witness.patch, round.lowest), &ties)
+                let signed_edges = search.lowest_signed_edges(round.lowest, round.length);
+                strip(&twisted, &tied, (witness.patch, round.lowest), &signed_edges)
             }
             None => witness,
         };
@@ -94,9 +95,15 @@ fn shortest<K: Connectivity>(
 }
 
 /// Faces of each patch one of which every one-sided loop goes through, by patch and place.
-fn starts(patches: &Patches, twisted: &TwistedPatches, tied: &TiedFaces) -> Vec<(PatchId, u32)> {
-    let cut = cut_ties(patches, twisted, tied);
-    let seam = tied.graph.ties().iter().zip(cut).filter(|(_, is_cut)| *is_cut).map(|(tie, _)| tie.ends[0]);
+fn starts(patches: &Patches, twisted: &TwistedPatches, tied: &DualGraph) -> Vec<(PatchId, u32)> {
+    let cut = cut_signed_edges(patches, twisted, tied);
+    let seam = tied
+        .graph
+        .signed_edges()
+        .iter()
+        .zip(cut)
+        .filter(|(_, is_cut)| *is_cut)
+        .map(|(signed_edge, _)| signed_edge.ends[0]);
     let mut starts: Vec<(PatchId, u32)> =
         seam.filter_map(|place| Some((patches.of_face(tied.face(place))?, place))).collect();
     starts.sort_unstable();
@@ -125,22 +132,22 @@ fn best_round(
     (best, is_all)
 }
 
-/// The strip that crosses ties one after another, from a face on.
+/// The strip that crosses signed edges one after another, from a face on.
 fn strip(
     twisted: &TwistedPatches,
-    tied: &TiedFaces,
+    tied: &DualGraph,
     (patch, first): (PatchId, u32),
-    ties: &[u32],
+    signed_edges: &[u32],
 ) -> OneSidedStrip {
     let mut at = first;
-    let step = |&tie: &u32| {
-        let [one, other] = tied.graph.tie(tie).ends;
+    let step = |&signed_edge: &u32| {
+        let [one, other] = tied.graph.signed_edge(signed_edge).ends;
         let face = tied.face(at);
         at = if one == at { other } else { one };
         face
     };
-    let faces = ties.iter().map(step).collect();
-    let edges = ties.iter().map(|&tie| twisted.edges[tie as usize]).collect();
+    let faces = signed_edges.iter().map(step).collect();
+    let edges = signed_edges.iter().map(|&signed_edge| twisted.edges[signed_edge as usize]).collect();
     OneSidedStrip { patch, faces, edges }
 }
 

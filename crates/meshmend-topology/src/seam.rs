@@ -5,10 +5,11 @@
 //! and cutting along them leaves the patch orientable: a *seam*. A short one is sought from the sides of the
 //! breadth-first walk on; in a large patch first among fewer and fewer faces that stand for many.
 //!
-//! *Guarantee*: the seam is no longer than that of the breadth-first walk, and cutting along it leaves the patch in one
-//! piece. Among few faces no region can be turned that lies on one side of the seam, as the search sees its sides, to
-//! make it shorter. It is the shortest there is on every small surface that was compared with all choices of sides, but
-//! nothing promises that: finding the shortest is NP-hard when there is no bound on the number of cross-caps.
+//! *Guarantee*: the seam is no longer than that of the breadth-first walk, and cutting along it leaves the patch in
+//! one piece. Among few faces no region can be turned that lies on one side of the seam, as the search sees its
+//! sides, to make it shorter. It is the shortest there is on every small surface that was compared with all choices
+//! of sides, but nothing promises that: finding the shortest is NP-hard when there is no bound on the number of
+//! cross-caps.
 //!
 //! *Source*: E. W. Chambers, J. Erickson, A. Nayyeri, *Minimum cuts and shortest homologous cycles*, 2009, for
 //! shortest cycles of a class and their hardness.
@@ -16,7 +17,7 @@
 use meshmend_core::{Connectivity, EdgeId};
 use serde::Serialize;
 
-use crate::joints::{Joint, Tie, TieGraph, TiedFaces, TwistedPatches};
+use crate::dual_graph::{DualEdge, DualGraph, SignedEdge, SignedGraph, TwistedPatches};
 use crate::{PatchId, Patches, Side};
 
 mod coarse;
@@ -56,8 +57,8 @@ pub struct Seam {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// *Cost*: nothing where all patches are orientable; else O(n log n), with at most a fixed number of looks at each side
-/// of those that are not.
+/// *Cost*: nothing where all patches are orientable; else O(n log n), with at most a fixed number of looks at each
+/// side of those that are not.
 pub fn seams<K: Connectivity>(kernel: &K, patches: &Patches) -> Vec<Seam> {
     of_twisted(patches, &TwistedPatches::of(kernel, patches, None))
 }
@@ -75,24 +76,25 @@ pub fn seams_by_length<K: Connectivity>(
     of_twisted(patches, &TwistedPatches::of(kernel, patches, Some(&length)))
 }
 
-/// For each joint whether it is part of a short seam: what is left can be oriented, and hangs together as before.
+/// For each dual edge whether it is part of a short seam: what is left can be oriented, and hangs together as before.
 ///
-/// For faces that are joined by something else than a mesh's own edges. Joints are only cut to spare heavier ones
+/// For faces that are joined by something else than a mesh's own edges. Dual edges are only cut to spare heavier ones
 /// where that is possible at all: where those alone can be oriented, none of them is cut.
 ///
-/// *Cost*: O(n log n) for n joints, and at most a fixed number of looks at each joint of what can't be oriented.
-pub fn short_seam(joints: &[Joint]) -> Vec<bool> {
-    let graph = TiedFaces::of(joints).graph;
+/// *Cost*: O(n log n) for n dual edges, and at most a fixed number of looks at each dual edge of what can't be
+/// oriented.
+pub fn short_seam(dual_edges: &[DualEdge]) -> Vec<bool> {
+    let graph = DualGraph::of(dual_edges).graph;
     let Walk { components, is_turned } = Walk::over(&graph);
     shortened(&graph, &components, is_turned)
 }
 
 fn of_twisted(patches: &Patches, twisted: &TwistedPatches) -> Vec<Seam> {
-    let is_cut = cut_ties(patches, twisted, &TiedFaces::of(&twisted.joints));
+    let is_cut = cut_signed_edges(patches, twisted, &DualGraph::of(&twisted.dual_edges));
     let seams = twisted.patches.iter().map(|&patch| Seam { patch, edges: Vec::new() });
     let mut seams: Vec<Seam> = seams.collect();
-    for ((joint, &edge), is_cut) in twisted.joints.iter().zip(&twisted.edges).zip(is_cut) {
-        let place = seams.partition_point(|seam| Some(seam.patch) < patches.of_face(joint.faces[0]));
+    for ((dual_edge, &edge), is_cut) in twisted.dual_edges.iter().zip(&twisted.edges).zip(is_cut) {
+        let place = seams.partition_point(|seam| Some(seam.patch) < patches.of_face(dual_edge.faces[0]));
         if let Some(seam) = seams.get_mut(place).filter(|_| is_cut) {
             seam.edges.push(edge);
         }
@@ -100,8 +102,8 @@ fn of_twisted(patches: &Patches, twisted: &TwistedPatches) -> Vec<Seam> {
     seams
 }
 
-/// For each tie in the patches that are not orientable whether it is part of a short seam.
-pub(crate) fn cut_ties(patches: &Patches, twisted: &TwistedPatches, tied: &TiedFaces) -> Vec<bool> {
+/// For each signed edge in the patches that are not orientable whether it is part of a short seam.
+pub(crate) fn cut_signed_edges(patches: &Patches, twisted: &TwistedPatches, tied: &DualGraph) -> Vec<bool> {
     let is_reversed = |place| patches.side(tied.face(place)) == Side::Reversed;
     let is_turned = tied.graph.faces().map(is_reversed).collect();
     // In the order of the walk, in which neighbours are near to one another in memory.
@@ -110,11 +112,11 @@ pub(crate) fn cut_ties(patches: &Patches, twisted: &TwistedPatches, tied: &TiedF
     shortened(&tied.graph, &components, is_turned)
 }
 
-/// Shortens the seams of the components that have one; for each tie whether it is cut.
-fn shortened(graph: &TieGraph, components: &[Vec<u32>], mut is_turned: Vec<bool>) -> Vec<bool> {
+/// Shortens the seams of the components that have one; for each signed edge whether it is cut.
+fn shortened(graph: &SignedGraph, components: &[Vec<u32>], mut is_turned: Vec<bool>) -> Vec<bool> {
     let sides = Sides::given(graph, is_turned.clone());
     let mut has_seam = vec![false; graph.face_count()];
-    sides.clashing().for_each(|tie| has_seam[graph.tie(tie).ends[0] as usize] = true);
+    sides.clashing().for_each(|signed_edge| has_seam[graph.signed_edge(signed_edge).ends[0] as usize] = true);
     let mut place = vec![0u32; graph.face_count()];
     for component in components.iter().filter(|faces| faces.iter().any(|&face| has_seam[face as usize])) {
         (0..).zip(component).for_each(|(new, &face)| place[face as usize] = new);
@@ -124,22 +126,27 @@ fn shortened(graph: &TieGraph, components: &[Vec<u32>], mut is_turned: Vec<bool>
         component.iter().zip(found).for_each(|(&face, side)| is_turned[face as usize] = side);
     }
     let sides = Sides::given(graph, is_turned);
-    (0..graph.ties().len() as u32).map(|tie| sides.clashes(tie)).collect()
+    (0..graph.signed_edges().len() as u32).map(|signed_edge| sides.clashes(signed_edge)).collect()
 }
 
-/// A component as a graph of its own; without ties of faces with themselves, which clash whatever is turned.
-fn part(graph: &TieGraph, component: &[u32], place: &[u32]) -> TieGraph {
-    let ties_of = |&face: &u32| {
+/// A component as a graph of its own; without signed edges of faces with themselves, which clash whatever is turned.
+fn part(graph: &SignedGraph, component: &[u32], place: &[u32]) -> SignedGraph {
+    let edges_of = |&face: &u32| {
         let arcs = graph.arcs(face).iter().filter(move |arc| arc.to != face);
-        let ties = arcs.map(|arc| graph.tie(arc.tie)).filter(move |tie| tie.ends[0] == face);
-        ties.map(|tie| Tie { ends: tie.ends.map(|face| place[face as usize]), ..*tie })
+        let signed_edges = arcs
+            .map(|arc| graph.signed_edge(arc.signed_edge))
+            .filter(move |signed_edge| signed_edge.ends[0] == face);
+        signed_edges.map(|signed_edge| SignedEdge {
+            ends: signed_edge.ends.map(|face| place[face as usize]),
+            ..*signed_edge
+        })
     };
-    TieGraph::new(component.len(), component.iter().flat_map(ties_of).collect())
+    SignedGraph::new(component.len(), component.iter().flat_map(edges_of).collect())
 }
 
-/// Sides for which little clashes, no more than at the start: searched among all of few faces, and where there are many
-/// in coarser and coarser graphs first, and in each finer one near the seam.
-fn short_sides(graph: &TieGraph, start: Vec<bool>) -> Vec<bool> {
+/// Sides for which little clashes, no more than at the start: searched among all of few faces, and where there are
+/// many in coarser and coarser graphs first, and in each finer one near the seam.
+fn short_sides(graph: &SignedGraph, start: Vec<bool>) -> Vec<bool> {
     if graph.face_count() <= FEW {
         return shorten(Sides::given(graph, start), Reach::All).into_turned();
     }
@@ -161,9 +168,9 @@ fn short_sides(graph: &TieGraph, start: Vec<bool>) -> Vec<bool> {
     shorten(best, Reach::Steps(STEPS)).into_turned()
 }
 
-/// Graphs with fewer and fewer faces. Each has at most nine tenths of the faces of the one before, so that all together
-/// have no more than ten times those of the first; where that can't be had they end with many.
-fn coarser_and_coarser(graph: &TieGraph) -> Vec<Coarse> {
+/// Graphs with fewer and fewer faces. Each has at most nine tenths of the faces of the one before, so that all
+/// together have no more than ten times those of the first; where that can't be had they end with many.
+fn coarser_and_coarser(graph: &SignedGraph) -> Vec<Coarse> {
     let mut levels = vec![Coarse::of(graph, &vec![1; graph.face_count()])];
     while let Some(last) = levels.last().filter(|last| last.graph.face_count() > FEW) {
         let next = last.coarser();
@@ -240,24 +247,28 @@ mod tests {
     }
 
     /// The least that can clash, by trying all sides.
-    fn least(joints: &[Joint], faces: usize) -> u64 {
+    fn least(dual_edges: &[DualEdge], faces: usize) -> u64 {
         let cost = |turned: u32| -> u64 {
             let is_turned = |face: FaceId| turned >> face.0 & 1 == 1;
-            let clashes = |j: &&Joint| is_turned(j.faces[0]) ^ is_turned(j.faces[1]) ^ j.is_mirrored;
-            joints.iter().filter(clashes).map(|joint| u64::from(joint.weight)).sum()
+            let clashes = |j: &&DualEdge| is_turned(j.faces[0]) ^ is_turned(j.faces[1]) ^ j.is_mirrored;
+            dual_edges.iter().filter(clashes).map(|dual_edge| u64::from(dual_edge.weight)).sum()
         };
         (0..1u32 << (faces - 1)).map(cost).min().unwrap()
     }
 
-    /// Whether what is not cut can be oriented, and hangs together as all joints do.
-    fn is_seam(joints: &[Joint], is_cut: &[bool]) -> bool {
-        let rest: Vec<Joint> =
-            joints.iter().zip(is_cut).filter(|(_, is_cut)| !**is_cut).map(|(joint, _)| *joint).collect();
-        let [whole, graph] = [joints, &rest].map(|joints| TiedFaces::of(joints).graph);
+    /// Whether what is not cut can be oriented, and hangs together as all dual edges do.
+    fn is_seam(dual_edges: &[DualEdge], is_cut: &[bool]) -> bool {
+        let rest: Vec<DualEdge> = dual_edges
+            .iter()
+            .zip(is_cut)
+            .filter(|(_, is_cut)| !**is_cut)
+            .map(|(dual_edge, _)| *dual_edge)
+            .collect();
+        let [whole, graph] = [dual_edges, &rest].map(|dual_edges| DualGraph::of(dual_edges).graph);
         let walk = Walk::over(&graph);
         let sides = Sides::given(&graph, walk.is_turned);
         let pieces = walk.components.len() + whole.face_count() - graph.face_count();
-        (0..graph.ties().len() as u32).all(|tie| !sides.clashes(tie))
+        (0..graph.signed_edges().len() as u32).all(|signed_edge| !sides.clashes(signed_edge))
             && pieces == Walk::over(&whole).components.len()
     }
 
@@ -280,49 +291,53 @@ mod tests {
             let twisted = TwistedPatches::of(&kernel, &patches, None);
             let found = seams(&kernel, &patches);
             let length: usize = found.iter().map(|seam| seam.edges.len()).sum();
-            assert_eq!(length as u64, least(&twisted.joints, kernel.face_count()));
+            assert_eq!(length as u64, least(&twisted.dual_edges, kernel.face_count()));
             let is_cut = |edge| found.iter().any(|seam| seam.edges.contains(edge));
-            assert!(is_seam(&twisted.joints, &twisted.edges.iter().map(is_cut).collect::<Vec<_>>()));
+            assert!(is_seam(&twisted.dual_edges, &twisted.edges.iter().map(is_cut).collect::<Vec<_>>()));
             seen += found.len();
         }
         assert!(seen > 200, "{seen}");
     }
 
     #[test]
-    fn on_joints_of_any_kind_nearly_none_is_shorter() {
+    fn on_dual_edges_of_any_kind_nearly_none_is_shorter() {
         let mut random = Random(52);
         let mut shortest = 0;
         for round in 0..300 {
             let faces = 4 + random.below(8);
             let id = |face: usize| FaceId::new(face);
             let heaviest = if round % 2 == 0 { 1 } else { 5 };
-            let mut joints: Vec<Joint> = Vec::new();
+            let mut dual_edges: Vec<DualEdge> = Vec::new();
             for place in 0..2 * faces {
                 let one = if place > 0 && place < faces { place } else { random.below(faces) };
                 let other =
                     if place > 0 && place < faces { random.below(place) } else { random.below(faces) };
                 let (is_mirrored, weight) = (random.below(2) == 0, 1 + random.below(heaviest) as u32);
-                joints.push(Joint { faces: [id(one), id(other)], is_mirrored, weight });
+                dual_edges.push(DualEdge { faces: [id(one), id(other)], is_mirrored, weight });
             }
-            let is_cut = short_seam(&joints);
-            assert!(is_seam(&joints, &is_cut), "{joints:?}");
-            let length: u64 =
-                joints.iter().zip(&is_cut).filter(|(_, cut)| **cut).map(|(j, _)| u64::from(j.weight)).sum();
-            let least = least(&joints, faces);
+            let is_cut = short_seam(&dual_edges);
+            assert!(is_seam(&dual_edges, &is_cut), "{dual_edges:?}");
+            let length: u64 = dual_edges
+                .iter()
+                .zip(&is_cut)
+                .filter(|(_, cut)| **cut)
+                .map(|(j, _)| u64::from(j.weight))
+                .sum();
+            let least = least(&dual_edges, faces);
             assert!(length >= least);
             shortest += usize::from(length == least);
         }
         assert!(shortest > 270, "{shortest}");
     }
 
-    /// Joints such as `0-1=2 1-2~1`: the faces, `~` where the joint mirrors, and the weight.
-    fn joints(text: &str) -> Vec<Joint> {
-        let joint = |word: &str| {
+    /// Dual edges such as `0-1=2 1-2~1`: the faces, `~` where the dual edge mirrors, and the weight.
+    fn dual_edges(text: &str) -> Vec<DualEdge> {
+        let dual_edge = |word: &str| {
             let mut numbers = word.split(['-', '=', '~']).map(|n| n.parse().unwrap());
             let faces = [(); 2].map(|()| FaceId(numbers.next().unwrap()));
-            Joint { faces, is_mirrored: word.contains('~'), weight: numbers.next().unwrap() }
+            DualEdge { faces, is_mirrored: word.contains('~'), weight: numbers.next().unwrap() }
         };
-        text.split(' ').map(joint).collect()
+        text.split(' ').map(dual_edge).collect()
     }
 
     #[test]
@@ -336,12 +351,15 @@ mod tests {
             "0-4=8 1-0~6 2-0=4 3-0~8 4-1~4 2-3=3 1-0=6 2-4~3",
         ];
         for text in cases {
-            let joints = joints(text);
-            let faces = joints.iter().flat_map(|joint| joint.faces).max().unwrap().index() + 1;
-            let is_cut = short_seam(&joints);
-            assert!(is_seam(&joints, &is_cut));
-            let cut = joints.iter().zip(is_cut).filter(|(_, is_cut)| *is_cut);
-            assert_eq!(cut.map(|(joint, _)| u64::from(joint.weight)).sum::<u64>(), least(&joints, faces));
+            let dual_edges = dual_edges(text);
+            let faces = dual_edges.iter().flat_map(|dual_edge| dual_edge.faces).max().unwrap().index() + 1;
+            let is_cut = short_seam(&dual_edges);
+            assert!(is_seam(&dual_edges, &is_cut));
+            let cut = dual_edges.iter().zip(is_cut).filter(|(_, is_cut)| *is_cut);
+            assert_eq!(
+                cut.map(|(dual_edge, _)| u64::from(dual_edge.weight)).sum::<u64>(),
+                least(&dual_edges, faces)
+            );
         }
     }
 
@@ -356,20 +374,20 @@ mod tests {
         assert_eq!(seam_lengths(&bottle), [width as usize / 2]);
     }
 
-    /// Stars of ties, each the middle and its rays.
-    fn stars(count: u32, rays: u32) -> TieGraph {
-        let tie = |star: u32, ray: u32| Tie {
+    /// Stars of signed edges, each the middle and its rays.
+    fn stars(count: u32, rays: u32) -> SignedGraph {
+        let signed_edge = |star: u32, ray: u32| SignedEdge {
             ends: [star * (rays + 1), star * (rays + 1) + ray],
             is_mirrored: false,
             weight: 1,
         };
-        let ties = (0..count).flat_map(|star| (1..=rays).map(move |ray| tie(star, ray)));
-        TieGraph::new((count * (rays + 1)) as usize, ties.collect())
+        let signed_edges = (0..count).flat_map(|star| (1..=rays).map(move |ray| signed_edge(star, ray)));
+        SignedGraph::new((count * (rays + 1)) as usize, signed_edges.collect())
     }
 
     #[test]
     fn graphs_become_coarser_by_a_tenth_or_not_at_all() {
-        let sizes = |graph: &TieGraph| -> Vec<usize> {
+        let sizes = |graph: &SignedGraph| -> Vec<usize> {
             coarser_and_coarser(graph).iter().map(|level| level.graph.face_count()).collect()
         };
         // Of a star two faces are joined at a time, from 11 of them on, 10, 9, …
@@ -379,14 +397,14 @@ mod tests {
 
     #[test]
     fn where_no_faces_can_be_joined_the_lighter_joints_are_cut_too() {
-        let joint = |ray: usize, is_mirrored: bool| {
+        let dual_edge = |ray: usize, is_mirrored: bool| {
             let weight = if is_mirrored == ray.is_multiple_of(2) { 2 } else { 1 };
-            Joint { faces: [FaceId(0), FaceId::new(ray)], is_mirrored, weight }
+            DualEdge { faces: [FaceId(0), FaceId::new(ray)], is_mirrored, weight }
         };
-        let joints: Vec<Joint> =
-            (1..=2 * FEW).flat_map(|ray| [joint(ray, true), joint(ray, false)]).collect();
-        let is_cut = short_seam(&joints);
-        assert!(joints.iter().zip(is_cut).all(|(joint, is_cut)| is_cut == (joint.weight == 1)));
+        let dual_edges: Vec<DualEdge> =
+            (1..=2 * FEW).flat_map(|ray| [dual_edge(ray, true), dual_edge(ray, false)]).collect();
+        let is_cut = short_seam(&dual_edges);
+        assert!(dual_edges.iter().zip(is_cut).all(|(dual_edge, is_cut)| is_cut == (dual_edge.weight == 1)));
     }
 
     #[test]
@@ -395,17 +413,19 @@ mod tests {
         for round in 0..201 {
             let count = if round < 200 { 30 } else { 3 * FEW };
             let sides: Vec<bool> = (0..count).map(|_| random.below(2) == 0).collect();
-            let mut joint = |is_firm: bool| {
+            let mut dual_edge = |is_firm: bool| {
                 let faces = [random.below(count), random.below(count)];
                 let agrees = sides[faces[0]] ^ sides[faces[1]];
                 let is_mirrored = if is_firm { agrees } else { random.below(2) == 0 };
                 let weight = if is_firm { u32::MAX } else { 1 };
-                Joint { faces: faces.map(FaceId::new), is_mirrored, weight }
+                DualEdge { faces: faces.map(FaceId::new), is_mirrored, weight }
             };
-            let joints: Vec<Joint> = (0..2 * count).map(|place| joint(place % 3 == 0)).collect();
-            let is_cut = short_seam(&joints);
-            assert!(is_seam(&joints, &is_cut));
-            assert!(joints.iter().zip(is_cut).all(|(joint, is_cut)| !is_cut || joint.weight == 1));
+            let dual_edges: Vec<DualEdge> = (0..2 * count).map(|place| dual_edge(place % 3 == 0)).collect();
+            let is_cut = short_seam(&dual_edges);
+            assert!(is_seam(&dual_edges, &is_cut));
+            assert!(
+                dual_edges.iter().zip(is_cut).all(|(dual_edge, is_cut)| !is_cut || dual_edge.weight == 1)
+            );
         }
     }
 }

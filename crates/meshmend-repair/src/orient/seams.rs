@@ -1,11 +1,11 @@
 //! Which pairs of sides are left unmatched where a patch is cut to be orientable.
 //!
-//! The pairs go into a parity union-find one after another, and what contradicts stays unmatched. So the order decides
-//! where the seam is, and the pairs of a short one come last. A pair of rule 1 is only cut where rule 1 alone
+//! The pairs go into a parity union-find one after another, and what contradicts stays unmatched. So the order
+//! decides where the seam is, and the pairs of a short one come last. A pair of rule 1 is only cut where rule 1 alone
 //! contradicts: what was cut before is stitched by rule 2, and stays cut at the same place.
 
 use meshmend_core::{Column, Connectivity, CornerId, FaceId};
-use meshmend_topology::{Joint, short_seam};
+use meshmend_topology::{DualEdge, short_seam};
 
 use super::uses::Pair;
 use crate::StoredNames;
@@ -21,12 +21,12 @@ pub(super) fn seams_last<K: Connectivity>(
 ) -> Vec<Pair> {
     let is_twisted = twisted_faces(kernel, &pairs);
     let is_of_twisted = |pair: &Pair| is_twisted[kernel.corner_face(pair.0)];
-    let joints: Vec<Joint> =
-        pairs.iter().filter(|pair| is_of_twisted(pair)).map(|&pair| joint(kernel, names, pair)).collect();
-    if joints.is_empty() {
+    let dual_edges: Vec<DualEdge> =
+        pairs.iter().filter(|pair| is_of_twisted(pair)).map(|&pair| dual_edge(kernel, names, pair)).collect();
+    if dual_edges.is_empty() {
         return pairs;
     }
-    let mut is_cut = short_seam(&joints).into_iter();
+    let mut is_cut = short_seam(&dual_edges).into_iter();
     let (last, mut first): (Vec<Pair>, Vec<Pair>) =
         pairs.into_iter().partition(|pair| is_of_twisted(pair) && is_cut.next() == Some(true));
     first.extend(last);
@@ -48,7 +48,7 @@ fn twisted_faces<K: Connectivity>(kernel: &K, pairs: &[Pair]) -> Column<FaceId, 
     kernel.faces().map(|face| is_twisted[sets.find(face).0]).collect()
 }
 
-fn joint<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, (one, other): Pair) -> Joint {
+fn dual_edge<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, (one, other): Pair) -> DualEdge {
     let stored = |corner: CornerId| {
         let (from, to) = (names.of(corner), names.of(kernel.next_corner(corner)));
         (from.min(to), from.max(to))
@@ -56,5 +56,5 @@ fn joint<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, (one, other): Pai
     // There are fewer pairs than would outweigh one of rule 1.
     let weight = if stored(one) == stored(other) { u32::MAX } else { 1 };
     let faces = [one, other].map(|corner| kernel.corner_face(corner));
-    Joint { faces, is_mirrored: run_the_same_way(kernel, one, other), weight }
+    DualEdge { faces, is_mirrored: run_the_same_way(kernel, one, other), weight }
 }

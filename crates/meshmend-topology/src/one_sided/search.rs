@@ -1,14 +1,14 @@
 //! How short is the shortest way round through a face that comes back mirrored?
 //!
-//! In the *orientation double cover* there are two copies of each face, and a tie leads from a copy to the copy of
-//! the neighbour on the same side, or on the other one where it mirrors. A strip that comes back mirrored is a way
-//! from one copy of a face to the other. The cover looks the same from both copies, so one search from one of them
-//! tells the distances from both, and it need not go farther than half the way.
+//! In the *orientation double cover* there are two copies of each face, and a signed edge leads from a copy to the
+//! copy of the neighbour on the same side, or on the other one where it mirrors. A strip that comes back mirrored is
+//! a way from one copy of a face to the other. The cover looks the same from both copies, so one search from one of
+//! them tells the distances from both, and it need not go farther than half the way.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::joints::TieGraph;
+use crate::dual_graph::SignedGraph;
 
 /// A copy of a face: twice its place, and one more on the other side.
 type Copy = u32;
@@ -21,7 +21,7 @@ fn other_copy(copy: Copy) -> Copy {
 /// A search through the double cover of a graph, in memory that is used again.
 #[derive(Debug)]
 pub(super) struct Search<'a> {
-    graph: &'a TieGraph,
+    graph: &'a SignedGraph,
     /// The length of the shortest way known to each copy; `UNREACHED` where there is none.
     distance: Vec<u64>,
     reached: Vec<Copy>,
@@ -45,7 +45,7 @@ pub(super) struct Round {
 pub(super) struct Spent;
 
 impl<'a> Search<'a> {
-    pub(super) fn new(graph: &'a TieGraph, budget: u64) -> Self {
+    pub(super) fn new(graph: &'a SignedGraph, budget: u64) -> Self {
         let distance = vec![UNREACHED; 2 * graph.face_count()];
         Search { graph, distance, reached: Vec::new(), front: BinaryHeap::new(), budget }
     }
@@ -70,29 +70,29 @@ impl<'a> Search<'a> {
         Ok(Some(Round { length, lowest }))
     }
 
-    /// Of the shortest mirrored strips through a face, of this length, the one with the lowest ties: the ties from
-    /// the face on.
-    pub(super) fn lowest_ties(&mut self, face: u32, length: u64) -> Vec<u32> {
+    /// Of the shortest mirrored strips through a face, of this length, the one with the lowest signed edges: the
+    /// signed edges from the face on.
+    pub(super) fn lowest_signed_edges(&mut self, face: u32, length: u64) -> Vec<u32> {
         self.begin(face);
         self.budget = u64::MAX;
         while let Ok(Some(_)) = self.settle_next(|distance| distance <= length) {}
         // The way on from a copy to the far end is as long as the way from the near end to the other copy.
         let on = |at: Copy, left: u64| {
             self.graph.arcs(at / 2).iter().find_map(|arc| {
-                let tie = self.graph.tie(arc.tie);
-                let next = 2 * arc.to + (at & 1 ^ u32::from(tie.is_mirrored));
-                let rest = left.checked_sub(tie.weight)?;
-                (self.distance[other_copy(next) as usize] == rest).then_some((arc.tie, next, rest))
+                let signed_edge = self.graph.signed_edge(arc.signed_edge);
+                let next = 2 * arc.to + (at & 1 ^ u32::from(signed_edge.is_mirrored));
+                let rest = left.checked_sub(signed_edge.weight)?;
+                (self.distance[other_copy(next) as usize] == rest).then_some((arc.signed_edge, next, rest))
             })
         };
         let (mut at, mut left) = (2 * face, length);
-        let mut ties = Vec::new();
-        // Every tie counts something, so nothing leads on when nothing is left.
-        while let Some((tie, next, rest)) = on(at, left) {
-            ties.push(tie);
+        let mut signed_edges = Vec::new();
+        // Every signed edge counts something, so nothing leads on when nothing is left.
+        while let Some((signed_edge, next, rest)) = on(at, left) {
+            signed_edges.push(signed_edge);
             (at, left) = (next, rest);
         }
-        ties
+        signed_edges
     }
 
     fn begin(&mut self, face: u32) {
@@ -169,32 +169,32 @@ impl<'a> Search<'a> {
 }
 
 /// The neighbours of a copy, and how far they are.
-fn ways(graph: &TieGraph, copy: Copy) -> impl Iterator<Item = (Copy, u64)> + '_ {
+fn ways(graph: &SignedGraph, copy: Copy) -> impl Iterator<Item = (Copy, u64)> + '_ {
     graph.arcs(copy / 2).iter().map(move |arc| {
-        let tie = graph.tie(arc.tie);
-        (2 * arc.to + (copy & 1 ^ u32::from(tie.is_mirrored)), tie.weight)
+        let signed_edge = graph.signed_edge(arc.signed_edge);
+        (2 * arc.to + (copy & 1 ^ u32::from(signed_edge.is_mirrored)), signed_edge.weight)
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::joints::Tie;
+    use crate::dual_graph::SignedEdge;
 
     /// A face that is reached by one shorter way after another, and has many neighbours.
     #[test]
     fn each_way_out_of_a_face_is_looked_at_once() {
         let count = 20;
-        let tie = |from: u32, to: u32, weight: u32| Tie {
+        let signed_edge = |from: u32, to: u32, weight: u32| SignedEdge {
             ends: [from, to],
             is_mirrored: false,
             weight: u64::from(weight),
         };
         let (crowded, ways) = (2 * count + 1, 1..=count);
-        let there = ways.clone().map(|way| tie(0, way, way));
-        let on = ways.clone().map(|way| tie(way, crowded, 3 * (count - way) + 1));
-        let neighbours = ways.map(|way| tie(crowded, count + way, 1));
-        let graph = TieGraph::new(crowded as usize + 1, there.chain(on).chain(neighbours).collect());
+        let there = ways.clone().map(|way| signed_edge(0, way, way));
+        let on = ways.clone().map(|way| signed_edge(way, crowded, 3 * (count - way) + 1));
+        let neighbours = ways.map(|way| signed_edge(crowded, count + way, 1));
+        let graph = SignedGraph::new(crowded as usize + 1, there.chain(on).chain(neighbours).collect());
         let looks = graph.arc_count() as u64;
         assert_eq!(Search::new(&graph, looks).round(0, 1000).unwrap(), None);
         assert!(Search::new(&graph, looks - 1).round(0, 1000).is_err());

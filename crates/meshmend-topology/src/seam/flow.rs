@@ -1,15 +1,16 @@
 //! Which faces are best turned, when some stay as they are?
 //!
-//! With one face of every clashing tie held, what the others cost is a cut: a tie that does not clash costs its weight
-//! when just one of its faces is turned; one that does, when its free face is not. The least cut is found by a greatest
-//! flow from the held faces, through the ties that do not clash, to the free faces of those that do.
+//! With one face of every clashing signed edge held, what the others cost is a cut: a signed edge that does not clash
+//! costs its weight when just one of its faces is turned; one that does, when its free face is not. The least cut is
+//! found by a greatest flow from the held faces, through the signed edges that do not clash, to the free faces of
+//! those that do.
 //!
 //! *Source*: E. A. Dinitz, *Algorithm for solution of a problem of maximum flow in networks with power estimation*,
 //! 1970; for cuts that choose sides: V. Kolmogorov, R. Zabih, *What energy functions can be minimized via graph
 //! cuts?*, 2004.
 
 use super::sides::Sides;
-use crate::joints::Arc;
+use crate::dual_graph::Arc;
 
 /// What is left of the looks at ways out of faces that may be taken.
 #[derive(Debug)]
@@ -30,7 +31,7 @@ pub(super) struct Region {
     pub(super) faces: Vec<u32>,
     /// Faces that stay as they are; every way out of the region leads from one of them.
     pub(super) held: Vec<u32>,
-    /// The clashing ties between a held face and a free one, each with the free one.
+    /// The clashing signed edges between a held face and a free one, each with the free one.
     pub(super) clashing: Vec<(u32, u32)>,
 }
 
@@ -46,7 +47,7 @@ pub(super) struct Turn {
 /// A flow, and the memory to find one.
 #[derive(Debug)]
 pub(super) struct Flow {
-    /// What flows over each tie from its first face to its second.
+    /// What flows over each signed edge from its first face to its second.
     along: Vec<i64>,
     /// What may still leave the network at each face.
     outlet: Vec<u64>,
@@ -63,9 +64,9 @@ const DEAD_END: u32 = u32::MAX - 1;
 
 impl Flow {
     pub(super) fn new(sides: &Sides<'_>) -> Self {
-        let (faces, ties) = (sides.graph.face_count(), sides.graph.ties().len());
+        let (faces, signed_edges) = (sides.graph.face_count(), sides.graph.signed_edges().len());
         Flow {
-            along: vec![0; ties],
+            along: vec![0; signed_edges],
             outlet: vec![0; faces],
             level: vec![DEAD_END; faces],
             next: vec![0; faces],
@@ -88,12 +89,12 @@ impl Flow {
     fn cut(&mut self, sides: &Sides<'_>, region: &Region, budget: &mut Budget) -> Option<Turn> {
         for &face in &region.faces {
             self.outlet[face as usize] = 0;
-            sides.graph.arcs(face).iter().for_each(|arc| self.along[arc.tie as usize] = 0);
+            sides.graph.arcs(face).iter().for_each(|arc| self.along[arc.signed_edge as usize] = 0);
         }
         let mut gain = 0;
-        for &(tie, free) in &region.clashing {
-            self.outlet[free as usize] += sides.graph.tie(tie).weight;
-            gain += sides.graph.tie(tie).weight;
+        for &(signed_edge, free) in &region.clashing {
+            self.outlet[free as usize] += sides.graph.signed_edge(signed_edge).weight;
+            gain += sides.graph.signed_edge(signed_edge).weight;
         }
         while let Some(depth) = self.find_levels(sides, region, budget)? {
             for &held in &region.held {
@@ -104,14 +105,15 @@ impl Flow {
         Some(Turn { gain, faces: region.faces.iter().copied().filter(is_cut_off).collect() })
     }
 
-    /// What could still flow from a face over a tie.
+    /// What could still flow from a face over a signed edge.
     #[inline]
     fn room(&self, sides: &Sides<'_>, from: u32, arc: Arc) -> u64 {
-        if sides.clashes(arc.tie) {
+        if sides.clashes(arc.signed_edge) {
             return 0;
         }
-        let (tie, along) = (sides.graph.tie(arc.tie), self.along[arc.tie as usize]);
-        tie.weight.saturating_add_signed(if tie.ends[0] == from { -along } else { along })
+        let (signed_edge, along) =
+            (sides.graph.signed_edge(arc.signed_edge), self.along[arc.signed_edge as usize]);
+        signed_edge.weight.saturating_add_signed(if signed_edge.ends[0] == from { -along } else { along })
     }
 
     /// The distances from the held faces along ways with room, up to the nearest outlet; its distance, if one is
@@ -184,8 +186,8 @@ impl Flow {
         let amount = rooms.min().unwrap_or(0).min(self.outlet[outlet as usize]);
         self.outlet[outlet as usize] -= amount;
         for &(from, arc) in path {
-            let is_along = sides.graph.tie(arc.tie).ends[0] == from;
-            self.along[arc.tie as usize] += if is_along { amount as i64 } else { -(amount as i64) };
+            let is_along = sides.graph.signed_edge(arc.signed_edge).ends[0] == from;
+            self.along[arc.signed_edge as usize] += if is_along { amount as i64 } else { -(amount as i64) };
         }
         amount
     }

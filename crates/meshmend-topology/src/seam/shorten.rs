@@ -1,11 +1,12 @@
 //! Sides that clash less, step by step.
 //!
-//! 1. Single faces are turned while more of their ties clash than not.
-//! 2. Whole regions are turned: of each clashing tie the face that is nearer to a seed is held, and of all sets of other
-//!    faces within some steps of the seam the best is found by a least cut. So the seam can wander on the side that it
-//!    is not held on. The seeds are the faces at two clashing ties that are far from one another.
-//! 3. Where nothing is better, a region that costs the same is turned, and 2 is tried from there; if that brings nothing
-//!    it is turned back. This is done where the search is over all faces.
+//! 1. Single faces are turned while more of their signed edges clash than not.
+//! 2. Whole regions are turned: of each clashing signed edge the face that is nearer to a seed is held, and of all
+//!    sets of other faces within some steps of the seam the best is found by a least cut. So the seam can wander on
+//!    the side that it is not held on. The seeds are the faces at two clashing signed edges that are far from one
+//!    another.
+//! 3. Where nothing is better, a region that costs the same is turned, and 2 is tried from there; if that brings
+//!    nothing it is turned back. This is done where the search is over all faces.
 
 use std::collections::VecDeque;
 
@@ -58,7 +59,7 @@ impl Shortening<'_> {
         }
     }
 
-    /// Turns what clashing ties cut off as a whole, so that what does not clash hangs together.
+    /// Turns what clashing signed edges cut off as a whole, so that what does not clash hangs together.
     fn turn_pieces(&mut self) {
         let graph = self.sides.graph;
         let mut is_seen = vec![false; graph.face_count()];
@@ -76,7 +77,7 @@ impl Shortening<'_> {
         }
     }
 
-    /// The faces that hang together with one across ties that do not clash, and were not seen yet.
+    /// The faces that hang together with one across signed edges that do not clash, and were not seen yet.
     fn piece_of(&self, start: u32, is_seen: &mut [bool]) -> Vec<u32> {
         let mut piece = vec![start];
         let mut done = 0;
@@ -84,7 +85,7 @@ impl Shortening<'_> {
         while let Some(&face) = piece.get(done) {
             done += 1;
             for arc in self.sides.graph.arcs(face) {
-                if !is_seen[arc.to as usize] && !self.sides.clashes(arc.tie) {
+                if !is_seen[arc.to as usize] && !self.sides.clashes(arc.signed_edge) {
                     is_seen[arc.to as usize] = true;
                     piece.push(arc.to);
                 }

@@ -12,7 +12,7 @@ pub(super) enum Reach {
     Steps(u32),
 }
 
-/// A tie that clashes, and which of its two faces the side is told by.
+/// A signed edge that clashes, and which of its two faces the side is told by.
 pub(super) type Seed = (u32, usize);
 
 /// Memory for searches through a graph.
@@ -30,32 +30,34 @@ impl Surroundings {
         Surroundings { distance: vec![OUTSIDE; sides.graph.face_count()] }
     }
 
-    /// The faces at a clashing tie, and at one that is as far from it as any.
+    /// The faces at a clashing signed edge, and at one that is as far from it as any.
     pub(super) fn seeds(&mut self, sides: &Sides<'_>, reach: Reach) -> Vec<Seed> {
         let Some(first) = sides.clashing().next() else { return Vec::new() };
         let (faces, _) = self.near(sides, reach);
         self.measure(sides, (first, 0));
-        let distance = |tie: u32| sides.graph.tie(tie).ends.map(|face| self.distance[face as usize]);
-        let nearer = |tie: &u32| distance(*tie).into_iter().min();
+        let distance = |signed_edge: u32| {
+            sides.graph.signed_edge(signed_edge).ends.map(|face| self.distance[face as usize])
+        };
+        let nearer = |signed_edge: &u32| distance(*signed_edge).into_iter().min();
         let farthest = sides.clashing().max_by_key(nearer).unwrap_or(first);
         self.forget(&faces);
         vec![(first, 0), (first, 1), (farthest, 0), (farthest, 1)]
     }
 
-    /// The faces that may be turned, with those that are held: of each clashing tie the face that is nearer to the
-    /// seed, and what is one step too far from the seam.
+    /// The faces that may be turned, with those that are held: of each clashing signed edge the face that is nearer
+    /// to the seed, and what is one step too far from the seam.
     pub(super) fn region(&mut self, sides: &Sides<'_>, reach: Reach, seed: Seed) -> Region {
         let (faces, mut held) = self.near(sides, reach);
         self.measure(sides, seed);
-        let by_distance = |tie: u32| {
-            let [one, other] = sides.graph.tie(tie).ends;
+        let by_distance = |signed_edge: u32| {
+            let [one, other] = sides.graph.signed_edge(signed_edge).ends;
             let is_swapped = self.distance[other as usize] < self.distance[one as usize];
             if is_swapped { [other, one] } else { [one, other] }
         };
-        held.extend(sides.clashing().map(|tie| by_distance(tie)[0]));
+        held.extend(sides.clashing().map(|signed_edge| by_distance(signed_edge)[0]));
         held.sort_unstable();
         held.dedup();
-        let free = sides.clashing().map(|tie| (tie, by_distance(tie)[1]));
+        let free = sides.clashing().map(|signed_edge| (signed_edge, by_distance(signed_edge)[1]));
         let clashing = free.filter(|(_, free)| held.binary_search(free).is_err()).collect();
         self.forget(&faces);
         Region { faces, held, clashing }
@@ -68,7 +70,7 @@ impl Surroundings {
             return (sides.graph.faces().collect(), Vec::new());
         };
         let mut faces = Vec::new();
-        for face in sides.clashing().flat_map(|tie| sides.graph.tie(tie).ends) {
+        for face in sides.clashing().flat_map(|signed_edge| sides.graph.signed_edge(signed_edge).ends) {
             self.reach(&mut faces, OUTSIDE, face, 0);
         }
         let mut done = 0;
@@ -84,12 +86,12 @@ impl Surroundings {
         (faces, beyond)
     }
 
-    /// Sets the distances of unreached faces from a seed across ties that do not clash. Where a clashing tie has no face
-    /// that is reached, the walk goes on from the same end of it.
+    /// Sets the distances of unreached faces from a seed across signed edges that do not clash. Where a clashing
+    /// signed edge has no face that is reached, the walk goes on from the same end of it.
     fn measure(&mut self, sides: &Sides<'_>, (seed, end): Seed) {
         let mut order = Vec::new();
-        for tie in std::iter::once(seed).chain(sides.clashing()) {
-            let ends = sides.graph.tie(tie).ends;
+        for signed_edge in std::iter::once(seed).chain(sides.clashing()) {
+            let ends = sides.graph.signed_edge(signed_edge).ends;
             if ends.iter().any(|&face| self.distance[face as usize] != UNREACHED) {
                 continue;
             }
@@ -98,7 +100,7 @@ impl Surroundings {
             while let Some(&face) = order.get(done) {
                 done += 1;
                 let steps = self.distance[face as usize] + 1;
-                for arc in sides.graph.arcs(face).iter().filter(|arc| !sides.clashes(arc.tie)) {
+                for arc in sides.graph.arcs(face).iter().filter(|arc| !sides.clashes(arc.signed_edge)) {
                     self.reach(&mut order, UNREACHED, arc.to, steps);
                 }
             }

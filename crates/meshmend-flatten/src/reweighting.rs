@@ -1,9 +1,9 @@
-//! Springs that are made weaker where a layout is crowded.
+//! Edge weights that are lowered where a layout is crowded.
 //!
-//! At the far end of a long finger springs of equal strength leave triangles too small for doubles: each ring of
-//! vertices is a fixed part smaller than the one before. A spring's strength is therefore multiplied by a factor of
-//! each of its nodes, the root of how large the triangles at the node are against the mean. Strengths stay positive,
-//! so the theorem goes on to hold; what is crowded pulls less, is pulled outward, and spreads.
+//! At the far end of a long finger equal weights leave triangles too small for doubles: each ring of
+//! vertices is a fixed part smaller than the one before. An edge's weight is therefore multiplied by a factor of
+//! each of its nodes, the root of how large the triangles at the node are against the mean. Weights stay positive,
+//! so the theorem goes on to hold; crowded nodes pull less, are pulled outward, and spread.
 
 /// Areas below this part of the mean can't be told from rounding.
 const LEAST_AREA: f64 = 1e-28;
@@ -12,7 +12,7 @@ const LEAST_AREA: f64 = 1e-28;
 const FACTORS: [f64; 2] = [1e-150, 1e145];
 
 /// The factor of each node, given those with which the layout was made.
-pub(crate) fn evened(factors: &[f64], triangles: &[[u32; 3]], points: &[[f64; 2]]) -> Vec<f64> {
+pub(crate) fn reweighted(factors: &[f64], triangles: &[[u32; 3]], points: &[[f64; 2]]) -> Vec<f64> {
     let mut sums = vec![(0.0f64, 0.0f64); factors.len()];
     let mut total = 0.0;
     for triangle in triangles {

@@ -1,6 +1,6 @@
-//! Springs between nodes, and where they come to rest: a sparse system of linear equations.
+//! The weighted graph Laplacian of a triangulation, and the solution of its equations with a fixed boundary.
 //!
-//! An inner node is at rest in the mean of its neighbours, weighted by the strengths of the springs. The equations are
+//! The equations put each inner node in the mean of its neighbours, weighted by the weights of the edges. They are
 //! solved by a Cholesky factorisation on one thread, and what rounding left is taken out in two further steps, whose
 //! errors are relative to the distances between neighbours, not to their coordinates.
 
@@ -14,10 +14,10 @@ use faer::{Conj, MatMut, Par, Side};
 
 use crate::FlattenError;
 
-/// Which nodes are joined, once each, as pairs in order.
+/// The edges of a triangulation, each once, and the structure of the equations over its free nodes.
 #[derive(Debug)]
-pub(crate) struct Springs {
-    /// The lower and the higher node of each spring, ascending.
+pub(crate) struct Laplacian {
+    /// The lower and the higher node of each edge, ascending.
     pub(crate) ends: Vec<[u32; 2]>,
     /// The place of each inner node among the unknowns, in order; `PINNED` for the others.
     unknown: Vec<u32>,
@@ -30,8 +30,8 @@ pub(crate) struct Springs {
 const PINNED: u32 = u32::MAX;
 const CORRECTIONS: usize = 2;
 
-impl Springs {
-    /// The springs of triangles whose nodes are free but for the pinned ones.
+impl Laplacian {
+    /// The Laplacian of triangles whose nodes are free except for the pinned ones.
     pub(crate) fn of(
         triangles: &[[u32; 3]],
         node_count: usize,
@@ -51,10 +51,10 @@ impl Springs {
         let parameters = CholeskySymbolicParams::default();
         let factor = factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, parameters)
             .map_err(|_| FlattenError::OutOfMemory)?;
-        Ok(Springs { ends, unknown, starts, rows, factor })
+        Ok(Laplacian { ends, unknown, starts, rows, factor })
     }
 
-    /// The place of the spring between two nodes.
+    /// The index of the edge between two nodes.
     pub(crate) fn between(&self, one: u32, other: u32) -> Option<usize> {
         self.ends.binary_search(&[one.min(other), one.max(other)]).ok()
     }
@@ -64,14 +64,14 @@ impl Springs {
         self.unknown[node] != PINNED
     }
 
-    /// Moves the free nodes to where the springs are at rest.
-    pub(crate) fn relax(&self, strengths: &[f64], points: &mut [[f64; 2]]) -> Result<(), FlattenError> {
+    /// Moves the free nodes to the solution of the equations.
+    pub(crate) fn solve(&self, weights: &[f64], points: &mut [[f64; 2]]) -> Result<(), FlattenError> {
         let count = self.starts.len() - 1;
         if count == 0 {
             return Ok(());
         }
         let pattern = SymbolicSparseColMatRef::new_checked(count, count, &self.starts, None, &self.rows);
-        let values = self.matrix(strengths);
+        let values = self.matrix(weights);
         let matrix = SparseColMatRef::new(pattern, &values);
         let mut factors = vec![0.0; self.factor.len_val()];
         let mut memory =
@@ -95,7 +95,7 @@ impl Springs {
             }
         }
         for _ in 0..=CORRECTIONS {
-            self.correct(factors, strengths, points)?;
+            self.correct(factors, weights, points)?;
         }
         Ok(())
     }
@@ -104,11 +104,11 @@ impl Springs {
     fn correct(
         &self,
         factors: LltRef<'_, usize, f64>,
-        strengths: &[f64],
+        weights: &[f64],
         points: &mut [[f64; 2]],
     ) -> Result<(), FlattenError> {
         let count = self.starts.len() - 1;
-        let mut moves = self.forces(strengths, points);
+        let mut moves = self.forces(weights, points);
         let mut memory = buffer(self.factor.solve_in_place_scratch::<f64>(2, Par::Seq))?;
         let sides = MatMut::from_column_major_slice_mut(&mut moves, count, 2);
         factors.solve_in_place_with_conj(Conj::No, sides, Par::Seq, MemStack::new(&mut memory));
@@ -122,16 +122,16 @@ impl Springs {
     }
 
     /// The force on each free node: first along one axis, then along the other.
-    fn forces(&self, strengths: &[f64], points: &[[f64; 2]]) -> Vec<f64> {
+    fn forces(&self, weights: &[f64], points: &[[f64; 2]]) -> Vec<f64> {
         let count = self.starts.len() - 1;
         let mut forces = vec![0.0; 2 * count];
-        for (&[a, b], &strength) in self.ends.iter().zip(strengths) {
+        for (&[a, b], &weight) in self.ends.iter().zip(weights) {
             let [from, to] = [a, b].map(|node| points[node as usize]);
             for (node, sign) in [(a, 1.0), (b, -1.0)] {
                 let unknown = self.unknown[node as usize];
                 if unknown != PINNED {
-                    forces[unknown as usize] += sign * strength * (to[0] - from[0]);
-                    forces[count + unknown as usize] += sign * strength * (to[1] - from[1]);
+                    forces[unknown as usize] += sign * weight * (to[0] - from[0]);
+                    forces[count + unknown as usize] += sign * weight * (to[1] - from[1]);
                 }
             }
         }
@@ -139,16 +139,16 @@ impl Springs {
     }
 
     /// The entries of the lower triangle, in the order of its rows.
-    fn matrix(&self, strengths: &[f64]) -> Vec<f64> {
+    fn matrix(&self, weights: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; self.rows.len()];
         let mut next: Vec<usize> = self.starts.iter().map(|start| start + 1).collect();
-        for (&[a, b], &strength) in self.ends.iter().zip(strengths) {
+        for (&[a, b], &weight) in self.ends.iter().zip(weights) {
             let [low, high] = [a, b].map(|node| self.unknown[node as usize]);
             for unknown in [low, high].into_iter().filter(|&unknown| unknown != PINNED) {
-                values[self.starts[unknown as usize]] += strength;
+                values[self.starts[unknown as usize]] += weight;
             }
             if low != PINNED && high != PINNED {
-                values[next[low as usize]] = -strength;
+                values[next[low as usize]] = -weight;
                 next[low as usize] += 1;
             }
         }
@@ -166,7 +166,7 @@ fn number_unknowns(triangles: &[[u32; 3]], node_count: usize, pinned: impl Itera
     unknown
 }
 
-/// Column by column a diagonal entry and one for each spring to a higher unknown; springs are sorted, and so are these.
+/// Column by column a diagonal entry and one for each edge to a higher unknown. Edges are sorted, and so are these.
 fn lower_triangle(ends: &[[u32; 2]], unknown: &[u32]) -> (Vec<usize>, Vec<usize>) {
     let inner = || {
         let both = ends.iter().map(|ends| ends.map(|node| unknown[node as usize]));

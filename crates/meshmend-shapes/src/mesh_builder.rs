@@ -8,17 +8,18 @@ use crate::{Closed, Shape, ShapeError, Truth};
 
 /// Points and faces over them.
 #[derive(Clone, Default)]
-pub(crate) struct Sketch {
+pub(crate) struct MeshBuilder {
     positions: Vec<[f64; 3]>,
     faces: FaceTableBuilder,
 }
 
-impl Sketch {
-    /// An empty sketch, if a mesh has room for as many corners as the product of the factors, or for as many vertices.
+impl MeshBuilder {
+    /// An empty builder, if a mesh has room for as many corners as the product of the factors, or for as many
+    /// vertices.
     pub(crate) fn with_room(factors: &[usize]) -> Result<Self, ShapeError> {
         let count = factors.iter().fold(1usize, |product, &factor| product.saturating_mul(factor));
         if count < MAX_CORNERS {
-            Ok(Sketch::default())
+            Ok(MeshBuilder::default())
         } else {
             Err(FaceTableError::TooLarge { what: "corners", count }.into())
         }
