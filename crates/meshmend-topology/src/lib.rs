@@ -18,51 +18,39 @@
 //! No answer is a guess: a figure that is not defined for a mesh (the genus of something that is no surface) is
 //! absent, and the report says why.
 
-mod betti;
-mod boundary;
-mod component_kinds;
-mod components;
-mod crossings;
-mod defect_list;
-mod dual_graph;
-mod duplicates;
-mod elimination;
-mod face_shape;
-mod gluing;
+mod faces;
+mod homology;
 mod ids;
-mod incremental;
 mod loops;
-mod one_sided;
-mod orientability;
-mod patches;
+mod orientation;
 mod report;
-mod seam;
-mod surface;
+mod surfaces;
 
 #[cfg(test)]
 mod shapes;
 
-pub use betti::{Betti, ELIMINATION_BUDGET, Instigators, betti, betti_within, instigators};
-pub use boundary::{BoundaryLoops, boundary_loops};
-pub use component_kinds::{ComponentFacts, ComponentKind, component_facts, component_kinds};
-pub use components::{Components, components};
-pub use defect_list::DefectList;
-pub use dual_graph::DualEdge;
-pub use duplicates::{AlikeFace, DuplicateFace, Likeness, alike_faces, duplicate_faces};
-pub use face_shape::{faces_with_repeated_corners, non_simple_faces};
-pub use gluing::{GluingWord, Letter};
+pub use faces::{
+    AlikeFace, DuplicateFace, Likeness, alike_faces, duplicate_faces, faces_with_repeated_corners,
+    non_simple_faces,
+};
+pub use homology::{
+    Betti, Cell, ELIMINATION_BUDGET, Effect, Incremental, Instigators, REDUCTION_BUDGET, Step, betti,
+    betti_within, incremental, incremental_within, instigators,
+};
 pub use ids::{ComponentId, PatchId};
-pub use incremental::{Cell, Effect, Incremental, REDUCTION_BUDGET, Step, incremental, incremental_within};
 pub use loops::{
     CoTree, ComponentGenerators, CutGraph, Generator, GeneratorError, GeneratorKind, GeneratorOptions,
     Generators, LoopSystem, Measure, Roots, cut_graph, generators,
 };
-pub use one_sided::{ONE_SIDED_BUDGET, OneSidedLoop, one_sided_loops, one_sided_loops_by_length};
-pub use orientability::{OneSidedStrip, Orientability, orientability};
-pub use patches::{Patches, Side, patches};
-pub use report::{
-    DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness, topology,
-    topology_with,
+pub use orientation::{
+    DualEdge, ONE_SIDED_BUDGET, OneSidedLoop, OneSidedStrip, Orientability, Patches, Seam, Side,
+    one_sided_loops, one_sided_loops_by_length, orientability, patches, seams, seams_by_length, short_seam,
 };
-pub use seam::{Seam, seams, seams_by_length, short_seam};
-pub use surface::{Surface, surface_name};
+pub use report::{
+    DefectList, DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness,
+    topology, topology_with,
+};
+pub use surfaces::{
+    BoundaryLoops, ComponentFacts, ComponentKind, Components, GluingWord, Letter, Surface, boundary_loops,
+    component_facts, component_kinds, components, surface_name,
+};

@@ -9,9 +9,7 @@ use meshmend_core::{Column, Connectivity, EdgeId, VertexId};
 use petgraph::unionfind::UnionFind;
 use serde::Serialize;
 
-use super::forest::Forest;
 use super::surfaces::Surfaces;
-use super::trees::Ground;
 
 /// In which order edges are offered to the tree of the faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -24,27 +22,6 @@ pub enum CoTree {
     /// loops at the root. *Source*: J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators*,
     /// 2005.
     Greedy,
-}
-
-impl CoTree {
-    /// The edges of surfaces that are in no tree of the vertices, in the order in which they are offered.
-    ///
-    /// *Cost*: one pass, or a sort.
-    pub(super) fn order<K: Connectivity>(self, ground: &Ground<'_, K>, forest: &Forest) -> Vec<EdgeId> {
-        let is_outside = |&edge: &EdgeId| {
-            ground.surfaces.of_edge(ground.kernel, edge).is_some()
-                && !forest.has_edge(edge, ground.kernel.edge_ends(edge))
-        };
-        let outside = ground.kernel.edges().filter(is_outside);
-        if self == CoTree::Lowest {
-            return outside.collect();
-        }
-        // Lengths from 0 on are in the order of their bits.
-        let shortness = |edge| !ground.based_length(forest, edge).to_bits();
-        let mut keyed: Vec<(u64, EdgeId)> = outside.map(|edge| (shortness(edge), edge)).collect();
-        keyed.sort_unstable();
-        keyed.into_iter().map(|(_, edge)| edge).collect()
-    }
 }
 
 /// The faces, and the boundary loops as if they were faces.

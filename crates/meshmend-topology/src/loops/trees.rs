@@ -52,8 +52,28 @@ impl<'a, K: Connectivity> Ground<'a, K> {
     fn trees_from(&self, roots: RootChoice) -> Trees {
         let starts: Vec<VertexId> = roots.values().iter().copied().flatten().collect();
         let forest = Forest::grow(self.kernel, &self.weights, &starts);
-        let order = self.co_tree.order(self, &forest);
+        let order = self.offered(&forest);
         Trees { roots, forest, order }
+    }
+
+    /// The edges of surfaces that are in no tree of the vertices, in the order in which the tree of the faces is offered
+    /// them.
+    ///
+    /// *Cost*: one pass, or a sort.
+    fn offered(&self, forest: &Forest) -> Vec<EdgeId> {
+        let is_outside = |&edge: &EdgeId| {
+            self.surfaces.of_edge(self.kernel, edge).is_some()
+                && !forest.has_edge(edge, self.kernel.edge_ends(edge))
+        };
+        let outside = self.kernel.edges().filter(is_outside);
+        if self.co_tree == CoTree::Lowest {
+            return outside.collect();
+        }
+        // Non-negative doubles are ordered as their bits are.
+        let shortness = |edge| !self.based_length(forest, edge).to_bits();
+        let mut keyed: Vec<(u64, EdgeId)> = outside.map(|edge| (shortness(edge), edge)).collect();
+        keyed.sort_unstable();
+        keyed.into_iter().map(|(_, edge)| edge).collect()
     }
 
     /// Of some roots of each surface the one whose loops are the shortest together.

@@ -8,7 +8,7 @@
 use meshmend_core::{Column, Connectivity, FaceId, Id};
 
 use crate::PatchId;
-use crate::crossings::Crossings;
+use crate::orientation::crossings::Crossings;
 
 /// Which way a face lies, against the lowest face of its patch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -10,7 +10,7 @@
 //! cuts?*, 2004.
 
 use super::sides::Sides;
-use crate::dual_graph::Arc;
+use crate::orientation::dual_graph::Arc;
 
 /// What is left of the looks at ways out of faces that may be taken.
 #[derive(Debug)]

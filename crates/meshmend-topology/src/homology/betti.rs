@@ -15,7 +15,7 @@
 use meshmend_core::{Column, Connectivity, CornerId, EdgeClass, EdgeId, edge_class};
 use serde::Serialize;
 
-use crate::elimination::{PrimeField, SparseRows};
+use super::elimination::{PrimeField, SparseRows};
 use crate::{Components, PatchId, Patches, Side};
 
 /// How many matrix entries [`betti`] touches for each field before it gives up.

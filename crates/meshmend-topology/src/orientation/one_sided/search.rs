@@ -8,7 +8,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::dual_graph::SignedGraph;
+use crate::orientation::dual_graph::SignedGraph;
 
 /// A copy of a face: twice its place, and one more on the other side.
 type Copy = u32;
@@ -179,7 +179,7 @@ fn ways(graph: &SignedGraph, copy: Copy) -> impl Iterator<Item = (Copy, u64)> + 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dual_graph::SignedEdge;
+    use crate::orientation::dual_graph::SignedEdge;
 
     /// A face that is reached by one shorter way after another, and has many neighbours.
     #[test]

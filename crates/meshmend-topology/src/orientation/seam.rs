@@ -17,7 +17,7 @@
 use meshmend_core::{Connectivity, EdgeId};
 use serde::Serialize;
 
-use crate::dual_graph::{DualEdge, DualGraph, SignedEdge, SignedGraph, TwistedPatches};
+use crate::orientation::dual_graph::{DualEdge, DualGraph, SignedEdge, SignedGraph, TwistedPatches};
 use crate::{PatchId, Patches, Side};
 
 mod coarse;

@@ -7,7 +7,7 @@
 //! *Source*: G. Karypis, V. Kumar, *A fast and high quality multilevel scheme for partitioning irregular graphs*,
 //! 1998.
 
-use crate::dual_graph::{Arc, SignedEdge, SignedGraph};
+use crate::orientation::dual_graph::{Arc, SignedEdge, SignedGraph};
 
 /// A graph with about half the faces of another.
 #[derive(Debug)]

@@ -195,7 +195,7 @@ fn edges_of_degree_one<K: Connectivity>(kernel: &K) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::topology;
+    use crate::topology;
     use meshmend_core::EdgeUse;
 
     #[test]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use meshmend_core::{Connectivity, DefectKind, PolygonMesh, vertex_classes};
 use serde::Serialize;
 
-use crate::component_kinds::{ComponentFacts, component_facts, component_kinds};
+use crate::surfaces::component_kinds::{ComponentFacts, component_facts, component_kinds};
 use crate::{
     Betti, ComponentKind, DefectList, Instigators, Orientability, Patches, Surface, betti, boundary_loops,
     components, instigators, one_sided_loops, orientability, patches,

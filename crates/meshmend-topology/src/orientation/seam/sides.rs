@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-use crate::dual_graph::{Arc, SignedGraph};
+use crate::orientation::dual_graph::{Arc, SignedGraph};
 
 /// The sides of all faces of a graph.
 #[derive(Clone, Debug)]

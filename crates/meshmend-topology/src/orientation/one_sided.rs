@@ -12,8 +12,8 @@
 use meshmend_core::{Connectivity, EdgeId};
 use serde::Serialize;
 
-use crate::dual_graph::{DualGraph, TwistedPatches};
-use crate::seam::cut_signed_edges;
+use crate::orientation::dual_graph::{DualGraph, TwistedPatches};
+use crate::orientation::seam::cut_signed_edges;
 use crate::{OneSidedStrip, PatchId, Patches, orientability};
 
 mod search;

@@ -1,0 +1,8 @@
+//! Betti numbers: of the whole complex by elimination, and cell by cell as a file lists them.
+
+mod betti;
+mod elimination;
+mod incremental;
+
+pub use betti::{Betti, ELIMINATION_BUDGET, Instigators, betti, betti_within, instigators};
+pub use incremental::{Cell, Effect, Incremental, REDUCTION_BUDGET, Step, incremental, incremental_within};
