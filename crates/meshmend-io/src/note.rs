@@ -35,7 +35,7 @@ pub enum NoteKind {
     SurplusColumns,
     /// A corner names a texture coordinate or normal that does not exist, and has none instead.
     AttributeOutOfRange,
-    /// Values of several widths were padded with zeros.
+    /// Values of several widths were padded: with zeros, alphas as opaque.
     MixedWidths,
     /// Attributes of loose edges and points were skipped.
     LooseAttribute,
@@ -45,6 +45,14 @@ pub enum NoteKind {
     SkippedComment,
     /// An end that the format asks for is missing, with nothing cut off.
     MissingEnd,
+    /// Rows of a text do not stand on a line each, but come out even.
+    WrappedRows,
+    /// A header that is not written as its format says, but can be understood.
+    OddHeader,
+    /// Columns stand in another order than the format says, as their values tell.
+    ColumnOrder,
+    /// Triangles that lead a strip on to another one are no faces.
+    Stitches,
     /// A coordinate is not a finite number.
     NonFinite,
     /// There is no vertex.

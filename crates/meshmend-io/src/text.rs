@@ -99,6 +99,11 @@ pub(crate) fn words(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
     bytes.split(|&b| is_space(b)).filter(|word| !word.is_empty())
 }
 
+/// A number and what it counts: `1 value`, `2 values`.
+pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
 /// Bytes as people may read them: short, and printable.
 pub(crate) fn shown(bytes: &[u8]) -> String {
     const LONGEST: usize = 40;

@@ -134,6 +134,13 @@ impl<const BIG: bool> Data for Binary<'_, BIG> {
         Ok(true)
     }
 
+    /// The rows must be able to be there at all.
+    fn begin_element(&mut self, element: &Element) -> Result<(), ReadError> {
+        let least: usize = element.properties.iter().map(|p| p.length.unwrap_or(p.item).size()).sum();
+        let what = format!("{} rows of element `{}`", element.count, element.name);
+        self.check_room(0, element.count.saturating_mul(least as u64), &what)
+    }
+
     fn surplus(&self) -> (usize, usize) {
         (self.blocks.left(), self.at())
     }

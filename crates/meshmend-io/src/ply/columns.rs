@@ -3,8 +3,8 @@
 use meshmend_core::Values;
 
 use crate::ReadError;
-use crate::ply::data::Data;
-use crate::ply::header::Element;
+use crate::ply::data::{Data, RowReader};
+use crate::ply::header::{Element, Property};
 
 /// The values of the columns of an element, apart from the one that is read in another way.
 pub(super) struct Columns {
@@ -14,7 +14,7 @@ pub(super) struct Columns {
 
 impl Columns {
     pub(super) fn new(element: &Element) -> Self {
-        let empty = |property: &crate::ply::header::Property| match property.length {
+        let empty = |property: &Property| match property.length {
             None => property.item.empty(),
             Some(_) => Values::Lists { starts: vec![0], items: Box::new(property.item.empty()) },
         };
@@ -72,14 +72,23 @@ pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadEr
     if element.properties.is_empty() || data.fixed_rows(element, |_| ())? {
         return Ok(());
     }
-    for _ in 0..element.count {
-        for property in &element.properties {
-            let count = match property.length {
-                None => 1,
-                Some(length) => data.length(length, property.item)?,
-            };
-            (0..count).try_for_each(|_| data.number(property.item).map(drop))?;
-        }
+    data.each_row(element, None, &mut SkippedRows(element))
+}
+
+/// Passes over rows.
+struct SkippedRows<'r>(&'r Element);
+
+impl RowReader for SkippedRows<'_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        self.0.properties.iter().try_for_each(|property| skip_property(property, data))
     }
-    Ok(())
+}
+
+/// Passes over the next value or list.
+pub(super) fn skip_property(property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
+    let count = match property.length {
+        None => 1,
+        Some(length) => data.length(length, property.item)?,
+    };
+    (0..count).try_for_each(|_| data.number(property.item).map(drop))
 }

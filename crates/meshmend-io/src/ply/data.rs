@@ -38,21 +38,35 @@ pub(super) trait Data {
     /// Gives the rows of an element block by block, if each row has the same size in bytes; else says that it does not.
     fn fixed_rows(&mut self, element: &Element, each: impl FnMut(FixedRows<'_>)) -> Result<bool, ReadError>;
 
-    /// Lets a reader read so many rows; plain ones may be parsed ahead of it.
+    /// Lets a reader read the rows of an element; plain ones may be parsed ahead of it.
     #[inline]
     fn each_row(
         &mut self,
-        count: u64,
+        element: &Element,
         _plain: Option<Table>,
         reader: &mut impl RowReader,
     ) -> Result<(), ReadError>
     where
         Self: Sized,
     {
-        for _ in 0..count {
+        for _ in 0..element.count {
             reader.row(self)?;
         }
         Ok(())
+    }
+
+    /// Goes on to an element, all of whose rows come next.
+    fn begin_element(&mut self, element: &Element) -> Result<(), ReadError>;
+
+    /// An error if an element that has been read does not end where one may end.
+    fn end_element(&mut self, _: &Element) -> Result<(), ReadError> {
+        Ok(())
+    }
+
+    /// An error if the file does not end where it may end; else the first row that does not stand on a line of its own,
+    /// where such rows are told from others, and how many there are.
+    fn end_file(&self) -> Result<Option<(usize, u64)>, ReadError> {
+        Ok(None)
     }
 
     /// How many bytes are left that are not blank, and where they begin.
@@ -71,14 +85,6 @@ pub(super) trait Data {
         self.check_room(count, count.saturating_mul(item.size() as u64), "a list")?;
         Ok(count as usize)
     }
-
-    /// An error unless so many rows of an element can be there at all.
-    fn check_rows(&self, element: &Element) -> Result<(), ReadError> {
-        let least: usize = element.properties.iter().map(|p| p.length.unwrap_or(p.item).size()).sum();
-        let values = element.count.saturating_mul(element.properties.len() as u64);
-        let what = format!("{} rows of element `{}`", element.count, element.name);
-        self.check_room(values, element.count.saturating_mul(least as u64), &what)
-    }
 }
 
 /// What reads the rows of an element.
@@ -86,8 +92,10 @@ pub(super) trait RowReader: Send {
     /// Reads the next row.
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError>;
 
-    /// Takes the next rows, unless they are beyond a limit.
-    fn take(&mut self, rows: &Table) -> bool;
+    /// Takes the next rows, unless they are beyond a limit or never plain.
+    fn take(&mut self, _: &Table) -> bool {
+        false
+    }
 }
 
 /// Some rows of one size in bytes.

@@ -7,9 +7,13 @@
 //! | any other property | a layer of that name and type; lists stay lists |
 //! | `face`: list `vertex_indices` or `vertex_index` | a face |
 //! | `face`: list `texcoord` of two numbers a corner, list `corner_NAME` of any number a corner | the corner layers `texcoord`, `NAME` |
-//! | `tristrips`: list `vertex_indices` with −1 for a restart | triangles, every second one reversed |
+//! | `tristrips`: list `vertex_indices` with −1 for a restart | triangles, every second one reversed; those that name a vertex twice are stitches, noted and no faces |
 //! | `edge`: `vertex1 vertex2` | a loose edge |
 //! | `comment`, `obj_info` | metadata |
+//!
+//! **Text.** A row stands on a line of its own. A file whose rows are wrapped otherwise is accepted, with a note, if it
+//! comes out even at the end of each element and of the file; else the error names the first line with a wrong number
+//! of values.
 //!
 //! Other elements are skipped and noted. Elements and properties may come in any order. What is written reads
 //! back to the same layers, whatever their names and types; positions are written as `float` where that holds
@@ -21,12 +25,14 @@ mod data;
 mod header;
 mod interpret;
 mod layers;
+mod lines;
 mod plain;
 mod plan;
 mod read;
 mod rows;
 mod scalar;
 mod shape;
+mod strips;
 mod table;
 mod write;
 

@@ -1,4 +1,5 @@
-//! Values as text: words between blanks, wherever the lines end. Rows with a line each are parsed ahead.
+//! Values as text: words between blanks, wherever the lines end ([`Lines`] judges those). Rows with a line each are parsed
+//! ahead.
 
 use meshmend_core::Values;
 
@@ -6,6 +7,7 @@ use crate::ReadError;
 use crate::ahead::{self, Reader, read_ahead};
 use crate::ply::data::{Data, FixedRows, RowReader};
 use crate::ply::header::Element;
+use crate::ply::lines::Lines;
 use crate::ply::scalar::Scalar;
 use crate::ply::table::Table;
 use crate::read::Source;
@@ -14,11 +16,12 @@ use crate::text::{self, is_space};
 pub(super) struct Plain<'a> {
     source: &'a Source<'a>,
     at: usize,
+    lines: Lines<'a>,
 }
 
 impl<'a> Plain<'a> {
     pub(super) fn new(source: &'a Source<'a>, at: usize) -> Self {
-        Plain { source, at }
+        Plain { source, at, lines: Lines::new(source) }
     }
 
     /// The bytes from the next word on.
@@ -173,16 +176,31 @@ impl Data for Plain<'_> {
 
     fn each_row(
         &mut self,
-        count: u64,
+        element: &Element,
         plain: Option<Table>,
         reader: &mut impl RowReader,
     ) -> Result<(), ReadError> {
         let source = self.source;
-        let mut rows = RowsLeft { next: self.at, data: self, reader, left: count };
+        let mut rows = RowsLeft { next: self.at, data: self, reader, element, left: element.count };
         match plain {
             Some(table) => read_ahead(source.bytes, source.pace, &table, &mut rows),
             None => rows.read_to(source.bytes.len()),
         }
+    }
+
+    /// That rows are missing is found at the end of the file, where it is known how many are there.
+    fn begin_element(&mut self, _: &Element) -> Result<(), ReadError> {
+        self.lines.begin_element(self.at);
+        Ok(())
+    }
+
+    fn end_element(&mut self, element: &Element) -> Result<(), ReadError> {
+        self.lines.end_element(element, self.at)
+    }
+
+    fn end_file(&self) -> Result<Option<(usize, u64)>, ReadError> {
+        self.lines.end_file(self.at)?;
+        Ok(self.lines.odd_rows())
     }
 
     fn surplus(&self) -> (usize, usize) {
@@ -199,7 +217,25 @@ struct RowsLeft<'r, 'a, R> {
     next: usize,
     data: &'r mut Plain<'a>,
     reader: &'r mut R,
+    element: &'r Element,
     left: u64,
+}
+
+impl<R: RowReader> RowsLeft<'_, '_, R> {
+    /// Reads the row that begins at the next byte.
+    #[inline]
+    fn row(&mut self) -> Result<(), ReadError> {
+        let (row, start) = (self.element.count - self.left, self.next);
+        if start == self.data.source.bytes.len() {
+            return Err(self.data.lines.missing(self.element, row));
+        }
+        match self.reader.row(self.data) {
+            Ok(()) => self.data.lines.end_row(self.element, row, start, self.data.at),
+            Err(error) => return Err(self.data.lines.explained(self.element, row, start, error)),
+        }
+        self.left -= 1;
+        Ok(())
+    }
 }
 
 impl<R: RowReader> ahead::Reader<Table> for RowsLeft<'_, '_, R> {
@@ -214,8 +250,7 @@ impl<R: RowReader> ahead::Reader<Table> for RowsLeft<'_, '_, R> {
             if (end..bytes.len()).contains(&self.next) {
                 break;
             }
-            self.reader.row(self.data)?;
-            self.left -= 1;
+            self.row()?;
         }
         Ok(())
     }

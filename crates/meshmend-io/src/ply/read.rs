@@ -2,8 +2,6 @@
 
 use std::io::{self, Read};
 
-use meshmend_core::{Id, VertexId};
-
 use crate::assemble::Parts;
 use crate::ply::PlyShape;
 use crate::ply::binary::Binary;
@@ -12,7 +10,8 @@ use crate::ply::data::Data;
 use crate::ply::header::{self, Element, Form, Header};
 use crate::ply::interpret::{Rows, face_layers, vertex_layers};
 use crate::ply::plain::Plain;
-use crate::ply::rows::{FaceRows, VertexRows};
+use crate::ply::rows::{EdgeRows, FaceRows, VertexRows};
+use crate::ply::strips::{Stitches, StripRows};
 use crate::ply::table::Table;
 use crate::read::{Parsed, Source};
 use crate::shell::Shape;
@@ -63,11 +62,13 @@ fn read_body(
     parts: Parts,
     mut data: impl Data,
 ) -> Result<Parsed, ReadError> {
-    let mut reader = Reader { source, limits, parts, vertices: None, faces: None };
+    let mut reader = Reader { source, form: header.form, limits, parts, vertices: None, faces: None };
     for element in &header.elements {
-        data.check_rows(element)?;
+        data.begin_element(element)?;
         reader.element(element, &mut data)?;
+        data.end_element(element)?;
     }
+    let odd_rows = data.end_file()?;
     let (surplus, at) = data.surplus();
     let place = || place_of(source, header.form, at);
     reader.parts.notes.add_many(
@@ -76,6 +77,11 @@ fn read_body(
         surplus as u64,
         place,
     );
+    if let Some((first, count)) = odd_rows {
+        let message = "rows that do not stand on a line each were read across lines";
+        let place = || place_of(source, header.form, first);
+        reader.parts.notes.add_many(NoteKind::WrappedRows, message, count, place);
+    }
     reader.finish(header)
 }
 
@@ -88,6 +94,7 @@ fn place_of(source: &Source<'_>, form: Form, at: usize) -> Place {
 
 struct Reader<'a> {
     source: &'a Source<'a>,
+    form: Form,
     limits: &'a Limits,
     parts: Parts,
     vertices: Option<Rows<'a>>,
@@ -140,7 +147,7 @@ impl<'a> Reader<'a> {
         })?;
         if !is_read {
             let mut reader = VertexRows { element, axes, columns: &mut columns, positions };
-            data.each_row(element.count, Table::of_vertices(element, axes), &mut reader)?;
+            data.each_row(element, Table::of_vertices(element, axes), &mut reader)?;
         }
         let is_taken = (0..element.properties.len()).map(|column| axes.contains(&column)).collect();
         self.vertices = Some(Rows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
@@ -168,7 +175,7 @@ impl<'a> Reader<'a> {
         let corner_starts = has_lists.then(Vec::new);
         let mut reader =
             FaceRows { source, limits, element, list, columns: &mut columns, parts, corner_starts };
-        data.each_row(element.count, Table::of_faces(element, list), &mut reader)?;
+        data.each_row(element, Table::of_faces(element, list), &mut reader)?;
         let mut corner_starts = reader.corner_starts.unwrap_or_default();
         corner_starts.push(self.parts.faces.corner_count() as u32);
         let is_taken = (0..element.properties.len()).map(|column| column == list).collect();
@@ -176,8 +183,6 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Triangle strips: each vertex after the first two makes a triangle with the two before it, every second
-    /// one reversed; −1 begins a new strip.
     fn strips(&mut self, element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
         let Some(list) = index_list(element) else {
             self.note_skipped("element `tristrips` has no indices and was skipped", element.count, element);
@@ -185,47 +190,14 @@ impl<'a> Reader<'a> {
         };
         let other = element.properties.len() as u64 - 1;
         self.note_skipped("properties of triangle strips were skipped", other, element);
-        let mut columns = Columns::new(element);
-        for _ in 0..element.count {
-            for (column, property) in element.properties.iter().enumerate() {
-                if column == list {
-                    self.strip(property, data)?;
-                } else {
-                    columns.read(element, column, data)?;
-                }
-            }
-        }
+        let (source, form, limits, parts) = (self.source, self.form, self.limits, &mut self.parts);
+        let stitches = Stitches::default();
+        let mut reader = StripRows { source, limits, element, list, parts, stitches };
+        data.each_row(element, None, &mut reader)?;
+        let Stitches { count, first } = reader.stitches;
+        let message = "triangles that lead a strip on, with a vertex twice, are no faces";
+        self.parts.notes.add_many(NoteKind::Stitches, message, count, || place_of(source, form, first));
         Ok(())
-    }
-
-    fn strip(&mut self, property: &header::Property, data: &mut impl Data) -> Result<(), ReadError> {
-        let length = property.length.unwrap_or(property.item);
-        let count = data.length(length, property.item)?;
-        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
-        let (mut before, mut seen, mut wrong) = ([VertexId(0); 2], 0_usize, None);
-        data.indices(property.item, count, |index, at| {
-            let Ok(index) = u32::try_from(index) else {
-                if index != -1 {
-                    wrong = wrong.or(Some((index, at)));
-                }
-                seen = 0;
-                return;
-            };
-            highest.see(index, at);
-            let [a, b] = before;
-            if seen >= 2 {
-                let [a, b] = if seen % 2 == 0 { [a, b] } else { [b, a] };
-                faces.push_face([a, b, VertexId(index)]);
-            }
-            (before, seen) = ([b, VertexId(index)], seen + 1);
-        })?;
-        let (faces, corners) = (faces.face_count() as u64, faces.corner_count() as u64);
-        self.source.limited("faces", faces, self.limits.max_faces)?;
-        self.source.limited("corners", corners, self.limits.max_corners)?;
-        match wrong {
-            None => Ok(()),
-            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
-        }
     }
 
     fn edges(&mut self, element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
@@ -245,31 +217,8 @@ impl<'a> Reader<'a> {
             let (source, at) = (self.source, element.at);
             self.parts.notes.add_many(NoteKind::LooseAttribute, &message, element.count, || source.line(at));
         }
-        for _ in 0..element.count {
-            let mut ends = [VertexId(0); 2];
-            for (column, property) in element.properties.iter().enumerate() {
-                match (property.length, [one, other].iter().position(|&end| end == column)) {
-                    (_, Some(place)) => ends[place] = self.edge_end(property, data)?,
-                    (None, None) => drop(data.number(property.item)?),
-                    (Some(length), None) => {
-                        let count = data.length(length, property.item)?;
-                        (0..count).try_for_each(|_| data.number(property.item).map(drop))?;
-                    }
-                }
-            }
-            self.parts.loose_edges.push(ends);
-        }
-        Ok(())
-    }
-
-    fn edge_end(&mut self, property: &header::Property, data: &mut impl Data) -> Result<VertexId, ReadError> {
-        let mut found = (0, 0);
-        data.indices(property.item, 1, |index, at| found = (index, at))?;
-        let (index, at) = found;
-        let index = u32::try_from(index);
-        let index = index.map_err(|_| data.wrong(at, &format!("{} is no index of a vertex", found.0)))?;
-        self.parts.highest.see(index, at);
-        Ok(VertexId::new(index as usize))
+        let mut reader = EdgeRows { element, ends: [one, other], parts: &mut self.parts };
+        data.each_row(element, None, &mut reader)
     }
 
     fn missing(&self, element: &Element, reason: &str) -> ReadError {

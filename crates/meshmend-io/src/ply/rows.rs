@@ -1,9 +1,9 @@
 //! The rows of vertices and faces, one by one or as tables of plain ones.
 
-use meshmend_core::VertexId;
+use meshmend_core::{Id, VertexId};
 
 use crate::assemble::Parts;
-use crate::ply::columns::Columns;
+use crate::ply::columns::{Columns, skip_property};
 use crate::ply::data::{Data, RowReader};
 use crate::ply::header::{Element, Property};
 use crate::ply::table::Table;
@@ -79,6 +79,40 @@ impl RowReader for FaceRows<'_, '_> {
         let others = (0..self.element.properties.len()).filter(|&column| column != self.list);
         self.columns.append(others, &rows.others);
         true
+    }
+}
+
+/// Reads loose edges.
+pub(super) struct EdgeRows<'r> {
+    pub(super) element: &'r Element,
+    /// Which properties are the ends.
+    pub(super) ends: [usize; 2],
+    pub(super) parts: &'r mut Parts,
+}
+
+impl RowReader for EdgeRows<'_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        let mut ends = [VertexId(0); 2];
+        for (column, property) in self.element.properties.iter().enumerate() {
+            match self.ends.iter().position(|&end| end == column) {
+                Some(place) => ends[place] = self.end(property, data)?,
+                None => skip_property(property, data)?,
+            }
+        }
+        self.parts.loose_edges.push(ends);
+        Ok(())
+    }
+}
+
+impl EdgeRows<'_> {
+    fn end(&mut self, property: &Property, data: &mut impl Data) -> Result<VertexId, ReadError> {
+        let mut found = (0, 0);
+        data.indices(property.item, 1, |index, at| found = (index, at))?;
+        let (index, at) = found;
+        let index = u32::try_from(index);
+        let index = index.map_err(|_| data.wrong(at, &format!("{} is no index of a vertex", found.0)))?;
+        self.parts.highest.see(index, at);
+        Ok(VertexId::new(index as usize))
     }
 }
 

@@ -9,4 +9,5 @@ mod formats;
 mod obj;
 mod off;
 mod ply;
+mod ply_rows;
 mod stl;
