@@ -1,13 +1,12 @@
 //! The two blocks of an OFF file: its vertices, and its faces. Lines without anything beside coordinates or indices are
 //! parsed ahead.
 
-use meshmend_core::{Carry, Domain, Layer, Values};
-
 use crate::ReadError;
 use crate::ahead::{self, Pace, read_ahead};
-use crate::off::colors::Colors;
+use crate::off::beside::Beside;
+use crate::off::header::Columns;
 use crate::off::lines::{Points, Polygons};
-use crate::off::read::{Columns, Reader};
+use crate::off::read::Reader;
 use crate::text;
 
 pub(super) fn read_vertices(
@@ -18,52 +17,44 @@ pub(super) fn read_vertices(
     reader.parts.positions.reserve_exact(count);
     // Three numbers are a vertex only where it has nothing beside them.
     let pace = if columns == Columns::default() { reader.source.pace } else { Pace::NONE };
-    let (text, colors) = (reader.bytes, Colors::new());
-    let mut block = Vertices { reader, count, columns, normals: Vec::new(), texcoords: Vec::new(), colors };
+    let text = reader.bytes;
+    let mut block = Vertices { reader, count, columns, beside: Beside::default() };
     read_ahead(text, pace, &Points::default(), &mut block)?;
-    let Vertices { reader, normals, texcoords, colors, .. } = block;
-    let direct = |name, width, values| {
-        Layer::direct(name, Domain::Vertex, width, Carry::Interpolate, Values::F64(values))
-    };
-    reader.parts.layers.extend(columns.normal.then(|| direct("normal", 3, normals)));
-    reader.parts.layers.extend(columns.texcoord.then(|| direct("texcoord", 2, texcoords)));
-    reader.parts.layers.extend(colors.layer(Domain::Vertex, count));
+    let Vertices { reader, beside, .. } = block;
+    beside.finish(columns, reader);
     Ok(())
 }
 
 pub(super) fn read_faces(reader: &mut Reader<'_>, count: usize) -> Result<(), ReadError> {
     let (text, pace) = (reader.bytes, reader.source.pace);
-    let mut block = Faces { reader, count, colors: Colors::new() };
-    read_ahead(text, pace, &Polygons::default(), &mut block)?;
-    let Faces { reader, colors, .. } = block;
-    reader.parts.layers.extend(colors.layer(Domain::Face, count));
-    Ok(())
+    read_ahead(text, pace, &Polygons::default(), &mut Faces { reader, count })
 }
 
 struct Vertices<'r, 'a> {
     reader: &'r mut Reader<'a>,
     count: usize,
     columns: Columns,
-    normals: Vec<f64>,
-    texcoords: Vec<f64>,
-    colors: Colors<'a>,
+    beside: Beside<'a>,
 }
 
 impl Vertices<'_, '_> {
     fn vertex(&mut self) -> Result<(), ReadError> {
-        let (reader, columns) = (&mut *self.reader, self.columns);
+        let (reader, columns, beside) = (&mut *self.reader, self.columns, &mut self.beside);
         reader.next_line("a vertex")?;
         let vertex = reader.parts.positions.len();
         let point = [reader.number()?, reader.number()?, reader.number()?];
         reader.parts.positions.push(point);
+        reader.skip_blanks();
+        let start = reader.at;
         if columns.normal {
-            self.normals.extend([reader.number()?, reader.number()?, reader.number()?]);
+            beside.normals.extend([reader.number()?, reader.number()?, reader.number()?]);
         }
         if columns.color {
-            self.colors.add(vertex, reader.color(columns.texcoord));
+            let color = reader.color(columns.texcoord);
+            beside.add_color(reader, columns, vertex, start, color);
         }
         if columns.texcoord {
-            self.texcoords.extend([reader.number()?, reader.number()?]);
+            beside.texcoords.extend([reader.number()?, reader.number()?]);
         }
         reader.note_surplus_columns();
         Ok(())
@@ -98,7 +89,6 @@ impl ahead::Reader<Points> for Vertices<'_, '_> {
 struct Faces<'r, 'a> {
     reader: &'r mut Reader<'a>,
     count: usize,
-    colors: Colors<'a>,
 }
 
 impl Faces<'_, '_> {
@@ -120,7 +110,7 @@ impl Faces<'_, '_> {
         reader.parts.faces.end_face();
         reader.skip_blanks();
         if !reader.line_ended() {
-            self.colors.add(face, text::trimmed(reader.rest()));
+            reader.face_colors.add(face, text::trimmed(reader.rest()));
         }
         reader.end_line();
         Ok(())

@@ -1,54 +1,39 @@
-//! The OFF reader: the header, and the words of a line.
+//! The OFF reader: its two ways through a file, and the words of a line.
 
-use meshmend_core::VertexId;
+use meshmend_core::{Domain, VertexId};
 
 use crate::assemble::Parts;
 use crate::off::OffShape;
 use crate::off::blocks::{read_faces, read_vertices};
+use crate::off::colors::Colors;
+use crate::off::free;
 use crate::read::{Parsed, Source};
 use crate::shell::Shape;
 use crate::text::{self, is_blank, is_line_end, is_space};
-use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
+use crate::{Encoding, Limits, NoteKind, Place, ReadError, ReadErrorKind, Shell};
 
-/// What each vertex has beside its coordinates.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Columns {
-    pub(super) texcoord: bool,
-    pub(super) color: bool,
-    pub(super) normal: bool,
-}
-
-impl Columns {
-    /// The columns that a header word stands for; the letters may come in any order.
-    pub(super) fn of_header(word: &[u8]) -> Option<Columns> {
-        let mut letters = word.strip_suffix(b"OFF")?;
-        let mut columns = Columns::default();
-        while !letters.is_empty() {
-            let (rest, column) = match letters {
-                [b'S', b'T', rest @ ..] => (rest, &mut columns.texcoord),
-                [b'C', rest @ ..] => (rest, &mut columns.color),
-                [b'N', rest @ ..] => (rest, &mut columns.normal),
-                _ => return None,
-            };
-            if std::mem::replace(column, true) {
-                return None;
-            }
-            letters = rest;
-        }
-        Some(columns)
-    }
-}
-
+/// Reads by lines, and where that leaves something over or missing, across lines if all comes out even so.
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
+    let by_lines = read_by_lines(source, limits);
+    let is_sure = match &by_lines {
+        Ok(reader) => reader.is_even,
+        Err(error) => !matches!(error.kind, ReadErrorKind::Malformed(_)),
+    };
+    let across_lines = if is_sure { None } else { free::read(source, limits) };
+    across_lines.map_or(by_lines, Ok)?.finish()
+}
+
+fn read_by_lines<'a>(source: &'a Source<'a>, limits: &'a Limits) -> Result<Reader<'a>, ReadError> {
     let mut reader = Reader::new(source, limits);
     let columns = reader.header()?;
     let [vertices, faces] = reader.counts()?;
+    if !reader.begins_line() {
+        reader.note_surplus("what stands behind the counts was skipped");
+    }
     read_vertices(&mut reader, vertices, columns)?;
     read_faces(&mut reader, faces)?;
     reader.surplus();
-    let (mesh, notes) = reader.parts.assemble(source, 0, |at| source.line(at))?;
-    let shell = Shell::of_file(Encoding::Ascii, Shape::Off(OffShape));
-    Ok(Parsed { mesh, variant: "off", notes, shell })
+    Ok(reader)
 }
 
 pub(super) struct Reader<'a> {
@@ -57,50 +42,61 @@ pub(super) struct Reader<'a> {
     pub(super) limits: &'a Limits,
     pub(super) at: usize,
     pub(super) parts: Parts,
+    /// The letters before the word `OFF`.
+    pub(super) letters: &'a [u8],
+    pub(super) vertex_colors: Colors<'a>,
+    pub(super) face_colors: Colors<'a>,
+    /// Whether nothing was left over.
+    is_even: bool,
 }
 
 impl<'a> Reader<'a> {
-    fn new(source: &'a Source<'a>, limits: &'a Limits) -> Self {
+    pub(super) fn new(source: &'a Source<'a>, limits: &'a Limits) -> Self {
         let at = text::text_start(source.bytes);
-        Reader { source, bytes: source.bytes, limits, at, parts: Parts::default() }
+        Reader {
+            source,
+            bytes: source.bytes,
+            limits,
+            at,
+            parts: Parts::default(),
+            letters: b"",
+            vertex_colors: Colors::default(),
+            face_colors: Colors::default(),
+            is_even: true,
+        }
     }
 
-    fn header(&mut self) -> Result<Columns, ReadError> {
-        self.next_line("the word `OFF`")?;
-        let word = text::word(self.bytes, self.at);
-        let word = &word[..word.iter().position(|&b| b == b'#').unwrap_or(word.len())];
-        let Some(columns) = Columns::of_header(word) else {
-            let is_other = word.ends_with(b"OFF");
-            let reason =
-                if is_other { "is a variant that is not read" } else { "where the word `OFF` belongs" };
-            return Err(self.wrong(self.at, &format!("`{}` {reason}", text::shown(word))));
-        };
-        self.at += word.len();
+    /// The mesh, with the colours of all its vertices and faces.
+    fn finish(mut self) -> Result<Parsed, ReadError> {
+        let has_fractions = self.vertex_colors.has_fractions() || self.face_colors.has_fractions();
+        let counts = [self.parts.positions.len(), self.parts.faces.face_count()];
+        let colors = [(self.vertex_colors, Domain::Vertex), (self.face_colors, Domain::Face)];
+        for ((colors, domain), count) in colors.into_iter().zip(counts) {
+            let opaque = colors.without_alpha_among_others(has_fractions);
+            let message = "colours without an alpha among others were given an opaque one";
+            self.parts.notes.add_many(NoteKind::MixedWidths, message, opaque, || Place::File);
+            self.parts.layers.extend(colors.layer(domain, count, has_fractions));
+        }
+        let source = self.source;
+        let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
+        let shape = OffShape { letters: self.letters.to_vec() };
+        let shell = Shell::of_file(Encoding::Ascii, Shape::Off(shape));
+        Ok(Parsed { mesh, variant: "off", notes, shell })
+    }
+
+    /// Whether nothing stands before the next word in its line.
+    fn begins_line(&mut self) -> bool {
+        let before = &self.bytes[..self.at];
+        let is_first = before.iter().rev().find(|&&b| !is_blank(b)).is_none_or(|&b| is_line_end(b));
         self.skip_blanks();
-        if text::word(self.bytes, self.at) == b"BINARY" {
-            return Err(self.wrong(self.at, "binary OFF is not read"));
-        }
-        Ok(columns)
+        is_first || self.line_ended()
     }
 
-    /// The numbers of vertices and faces, on the header's line or the next; that of edges may be missing.
-    fn counts(&mut self) -> Result<[usize; 2], ReadError> {
-        if self.line_ended() {
-            self.next_line("a line of counts")?;
-        }
-        let (vertices, faces) = (self.count("vertices")?, self.count("faces")?);
-        let at = self.at;
-        self.end_line();
-        // The shortest vertex takes six bytes, the shortest face two; the last one needs no line end.
-        let left = (self.bytes.len() - self.at) as u64;
-        if vertices.saturating_mul(6).saturating_add(faces.saturating_mul(2)) > left + 1 {
-            let reason =
-                format!("{vertices} vertices and {faces} faces are announced, {left} bytes are left");
-            return Err(self.wrong(at, &reason));
-        }
-        self.source.limited("vertices", vertices, self.limits.max_vertices)?;
-        self.source.limited("faces", faces, self.limits.max_faces)?;
-        Ok([vertices as usize, faces as usize])
+    /// Notes something about what comes next.
+    pub(super) fn note(&mut self, kind: NoteKind, message: &str) {
+        let (source, at) = (self.source, self.at);
+        self.is_even &= !matches!(kind, NoteKind::SurplusColumns | NoteKind::SurplusData);
+        self.parts.notes.add(kind, message, || source.line(at));
     }
 
     pub(super) fn count(&mut self, what: &str) -> Result<u64, ReadError> {
@@ -129,10 +125,14 @@ impl<'a> Reader<'a> {
     pub(super) fn note_surplus_columns(&mut self) {
         self.skip_blanks();
         if !self.line_ended() {
-            let (source, at) = (self.source, self.at);
-            let message = "numbers of vertices beyond those of the header were skipped";
-            self.parts.notes.add(NoteKind::SurplusColumns, message, || source.line(at));
+            self.note_surplus("numbers of vertices beyond those of the header were skipped");
         }
+        self.end_line();
+    }
+
+    /// Skips what is left of a line, and notes it.
+    fn note_surplus(&mut self, message: &str) {
+        self.note(NoteKind::SurplusColumns, message);
         self.end_line();
     }
 
@@ -167,10 +167,7 @@ impl<'a> Reader<'a> {
 
     fn surplus(&mut self) {
         while self.find_line() {
-            let (source, at) = (self.source, self.at);
-            self.parts
-                .notes
-                .add(NoteKind::SurplusData, "lines after the last face were skipped", || source.line(at));
+            self.note(NoteKind::SurplusData, "lines after the last face were skipped");
             self.end_line();
         }
     }
@@ -199,7 +196,7 @@ impl<'a> Reader<'a> {
 
     /// Goes to the first word of the next line that has one, keeping comments; says whether there is one.
     #[inline]
-    fn find_line(&mut self) -> bool {
+    pub(super) fn find_line(&mut self) -> bool {
         while let Some(&byte) = self.bytes.get(self.at) {
             match byte {
                 b'#' => self.comment(),

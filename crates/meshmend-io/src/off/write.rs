@@ -2,17 +2,22 @@
 
 use std::io;
 
-use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
+use meshmend_core::{Domain, Id, Layer, Values};
 
 use crate::layers::{
     absent, absent_loss, has_fractions, is_numeric, layer_losses, layer_of, loose_losses, metadata_losses,
     number, one_line, spelling_loss,
 };
+use crate::off::OffShape;
+use crate::off::colors::INDEX_LAYER;
+use crate::shell::Shape;
 use crate::sink::Sink;
-use crate::{Loss, Prepared, WriteErrorKind};
+use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
 /// Which layers are written.
 struct Plan<'a> {
+    /// The letters of the header of the file that was read.
+    letters: &'a [u8],
     normal: Option<&'a Layer>,
     texcoord: Option<&'a Layer>,
     vertex_color: Option<&'a Layer>,
@@ -21,7 +26,7 @@ struct Plan<'a> {
 
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
     let mesh = &prepared.mesh;
-    let plan = Plan::of(mesh);
+    let plan = Plan::of(prepared);
     let mut sink = Sink::new(out);
     sink.bytes(plan.header().as_bytes());
     for statement in mesh.metadata().iter().filter(|statement| statement.key == "comment") {
@@ -47,7 +52,7 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
             sink.byte(b' ');
             sink.integer(vertex.index() as i64);
         }
-        color(plan.face_color, face.index(), &mut sink);
+        color(plan.face_color, face.index(), 0, &mut sink);
         sink.byte(b'\n');
         sink.checkpoint()?;
     }
@@ -56,12 +61,21 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
 
 pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let mesh = &prepared.mesh;
-    let plan = Plan::of(mesh);
+    let plan = Plan::of(prepared);
     let written = [plan.normal, plan.texcoord, plan.vertex_color, plan.face_color];
     let written: Vec<&Layer> = written.into_iter().flatten().collect();
     let mut losses = layer_losses(mesh, &written);
     for layer in [plan.normal, plan.texcoord].into_iter().flatten() {
         losses.extend(absent_loss(layer, absent(layer)));
+    }
+    if let Some(layer) = plan.vertex_color.filter(|layer| lacks_alpha(layer)) {
+        let count = layer.element_count() - absent(layer);
+        losses.extend(Loss::if_any(LossKind::Converted, count, |n| {
+            format!(
+                "vertex attribute `color` of {n} {} gets an opaque fourth number",
+                if n == 1 { "vertex" } else { "vertices" }
+            )
+        }));
     }
     losses.extend(loose_losses(mesh));
     losses.extend(metadata_losses(mesh, &["comment"]));
@@ -70,27 +84,45 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
 }
 
 impl<'a> Plan<'a> {
-    fn of(mesh: &'a PolygonMesh) -> Self {
+    fn of(prepared: &'a Prepared) -> Self {
+        let mesh = &prepared.mesh;
         // Letters in the header promise columns; without a vertex there is none to tell their kind by.
         let on_vertices = |name, is_wanted: &dyn Fn(&Layer) -> bool| {
             layer_of(mesh, name, Domain::Vertex, is_wanted).filter(|_| mesh.counts().vertices > 0)
         };
         let vertex = |name, width| on_vertices(name, &|layer| is_numeric(layer) && layer.width() == width);
         let (normal, vertex_color) = (vertex("normal", 3), on_vertices("color", &is_color));
+        let letters = match prepared.options.shell.shape() {
+            Some(Shape::Off(OffShape { letters })) => letters,
+            _ => &[][..],
+        };
         // Headers that join `ST` with other letters are legal, but many programs don't read them.
-        let texcoord = vertex("texcoord", 2).filter(|_| normal.is_none() && vertex_color.is_none());
-        Plan { normal, texcoord, vertex_color, face_color: layer_of(mesh, "color", Domain::Face, is_color) }
+        let is_alone = normal.is_none() && vertex_color.is_none();
+        let is_as_read = letters.starts_with(b"ST") || letters.ends_with(b"ST");
+        let texcoord = vertex("texcoord", 2).filter(|_| is_alone || is_as_read);
+        let of_faces = |name, is_fit: &dyn Fn(&Layer) -> bool| layer_of(mesh, name, Domain::Face, is_fit);
+        let face_color = of_faces("color", &is_color).or_else(|| of_faces(INDEX_LAYER, &is_index));
+        Plan { letters, normal, texcoord, vertex_color, face_color }
     }
 
+    /// The letters of the file that was read, where they still fit.
     fn header(&self) -> String {
         let letters = [(self.texcoord, "ST"), (self.vertex_color, "C"), (self.normal, "N")];
         let letters = letters.iter().filter(|(layer, _)| layer.is_some()).map(|(_, letters)| *letters);
-        letters.chain(["OFF\n"]).collect()
+        let usual: String = letters.collect();
+        let sorted = |letters: &[u8]| {
+            let mut letters = letters.to_vec();
+            letters.sort_unstable();
+            letters
+        };
+        let as_read = String::from_utf8_lossy(self.letters);
+        let letters = if sorted(self.letters) == sorted(usual.as_bytes()) { &*as_read } else { &*usual };
+        format!("{letters}OFF\n")
     }
 
     fn vertex_columns(&self, vertex: usize, sink: &mut Sink<'_>) {
         numbers(self.normal, vertex, sink);
-        color(self.vertex_color, vertex, sink);
+        color(self.vertex_color, vertex, 4, sink);
         numbers(self.texcoord, vertex, sink);
     }
 }
@@ -107,6 +139,11 @@ fn is_color(layer: &Layer) -> bool {
     }
 }
 
+/// Indices into a map of colours.
+fn is_index(layer: &Layer) -> bool {
+    matches!(layer.values(), Values::I32(_)) && layer.width() == 1
+}
+
 /// The numbers of a value; NaN where there is none.
 fn numbers(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
     let Some(layer) = layer else { return };
@@ -116,8 +153,8 @@ fn numbers(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
     }
 }
 
-/// A colour, in which whole fractions have a point that tells them from bytes.
-fn color(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
+/// A colour of so many numbers at least, in which whole fractions have a point that tells them from bytes.
+fn color(layer: Option<&Layer>, element: usize, least: usize, sink: &mut Sink<'_>) {
     let Some((layer, value)) = layer.and_then(|layer| Some((layer, layer.value_of(element)?))) else {
         return;
     };
@@ -135,6 +172,14 @@ fn color(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
             sink.bytes(b".0");
         }
     }
+    if lacks_alpha(layer) && least == 4 {
+        sink.bytes(if has_fractions(layer) { b" 1.0" } else { b" 255" });
+    }
+}
+
+/// Whether a layer's colours have three numbers.
+fn lacks_alpha(layer: &Layer) -> bool {
+    is_numeric(layer) && layer.width() == 3
 }
 
 #[inline]
