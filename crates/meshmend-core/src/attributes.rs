@@ -1,4 +1,4 @@
-//! Attribute layers: a pool of values and, for each vertex, corner or face, which value it uses.
+//! Attribute layers: a pool of values and, for each element of one kind, which value it uses.
 //!
 //! A seam (one vertex, several texture coordinates) is corners that use different values, and no special case.
 //! Layers are carried through every change in one place, [`PolygonMesh::rebuild`]; a pass never sees them.
@@ -23,6 +23,10 @@ pub enum Domain {
     Corner,
     /// One value a face.
     Face,
+    /// One value an edge that is an element of its own.
+    LooseEdge,
+    /// One value a point that is an element of its own.
+    LoosePoint,
 }
 
 /// What happens to a layer's values where a change creates a corner, a vertex or a face.
@@ -37,7 +41,7 @@ pub enum Carry {
     Clear,
 }
 
-/// One attribute of the vertices, corners or faces of a mesh.
+/// One attribute of the vertices, corners, faces or loose elements of a mesh.
 ///
 /// Value `i` of the pool is `width` consecutive entries of [`values`](Layer::values). Cloning is O(1).
 #[derive(Clone, Debug, PartialEq)]
@@ -45,12 +49,12 @@ pub struct Layer {
     name: String,
     domain: Domain,
     home: Domain,
-    width: usize,
+    pub(crate) width: usize,
     carry: Carry,
     role: Role,
     /// How many of the first values are those of a vertex as stored, each of the vertex of its own place.
     stored_vertices: usize,
-    values: Arc<Values>,
+    pub(crate) values: Arc<Values>,
     /// Which value each element uses; absent when element `i` uses value `i`.
     uses: Option<Arc<Vec<u32>>>,
     /// For a vertex layer that moved to the corners: the values of the vertices, for those without a corner.
@@ -212,6 +216,29 @@ impl Layer {
         let width = self.width;
         width == other.width
             && self.values.are_opposite(value * width, &other.values, other_value * width, width)
+    }
+
+    /// A layer of other elements over the same pool: element `i` uses value `uses[i]`, or none where that is [`NO_VALUE`].
+    ///
+    /// *Cost*: the pool is shared.
+    pub fn over_same_values(
+        &self,
+        name: impl Into<String>,
+        domain: Domain,
+        carry: Carry,
+        uses: Vec<u32>,
+    ) -> Self {
+        let name = name.into();
+        Layer {
+            name,
+            domain,
+            home: domain,
+            carry,
+            uses: Some(Arc::new(uses)),
+            vertex_uses: None,
+            stored_vertices: 0,
+            ..self.clone()
+        }
     }
 
     /// The layer with other uses over the same pool.

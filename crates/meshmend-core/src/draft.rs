@@ -173,6 +173,7 @@ impl PolygonMesh {
         let (edges, points) = self.draft_loose(&draft)?;
         let carried = self.layers().iter().map(|layer| self.carried(layer, &draft));
         let layers: Vec<Layer> = carried.map(|layer| with_turned_values(layer, &draft)).collect();
+        let metadata = crate::anchors::carried(self.metadata(), &draft);
         let kept = draft.vertex_sources.len() - draft.created_vertices.len();
         let places = draft.created_vertices.iter().enumerate();
         let provenance = Provenance {
@@ -185,7 +186,7 @@ impl PolygonMesh {
         };
         let mesh =
             PolygonMesh::new(positions, draft.faces)?.with_loose(edges, points)?.with_layers(layers)?;
-        Ok((mesh.with_metadata(self.metadata().to_vec()), provenance))
+        Ok((mesh.with_metadata(metadata), provenance))
     }
 
     fn draft_positions(&self, draft: &Draft) -> Vec<[f64; 3]> {
@@ -235,6 +236,9 @@ impl PolygonMesh {
             Domain::Vertex => self.carried_vertex_layer(layer, draft),
             Domain::Corner if self.keeps_corners(draft) && layer.home() != Domain::Vertex => layer.clone(),
             Domain::Corner => self.carried_corner_layer(layer, draft),
+            Domain::LooseEdge if draft.drop_loose.edges => layer.with_uses(Domain::LooseEdge, Vec::new()),
+            Domain::LoosePoint if draft.drop_loose.points => layer.with_uses(Domain::LoosePoint, Vec::new()),
+            Domain::LooseEdge | Domain::LoosePoint => layer.clone(),
         }
     }
 
@@ -279,7 +283,7 @@ impl PolygonMesh {
     }
 
     fn carried_corner_layer(&self, layer: &Layer, draft: &Draft) -> Layer {
-        let mut layer = layer.clone();
+        let (mut layer, first) = (layer.clone(), layer.value_count());
         let old = draft
             .corner_sources
             .iter()
@@ -292,6 +296,7 @@ impl PolygonMesh {
             uses[corner.index()] = layer.blended(&parts);
         }
         if layer.home() != Domain::Vertex {
+            layer.pool_created(first, &mut uses);
             return layer.with_uses(Domain::Corner, uses);
         }
         let vertex_uses = self.vertex_uses(&mut layer, draft);
@@ -528,5 +533,58 @@ mod tests {
             ..Draft::of_faces(&loose, faces, Sources::same(1), Sources::same(3))
         };
         assert_eq!(loose.rebuild(draft).unwrap_err(), DraftError::LooseVertex(VertexId(3)));
+    }
+
+    #[test]
+    fn layers_of_loose_elements_stay_with_them_or_go_with_them() {
+        let layer = |domain, count| {
+            Layer::direct("object", domain, 1, Carry::Copy, Values::Text(vec![b"a".to_vec(); count]))
+        };
+        let layers = vec![layer(Domain::LooseEdge, 2), layer(Domain::LoosePoint, 1)];
+        let edges = vec![[VertexId(0), VertexId(1)], [VertexId(1), VertexId(2)]];
+        let mesh = square().with_loose(edges, vec![VertexId(3)]).unwrap().with_layers(layers).unwrap();
+        let rebuilt = |drop_loose| {
+            let (faces, corners) = (Sources::same(2), Sources::same(6));
+            let draft = Draft { drop_loose, ..Draft::of_faces(&mesh, mesh.faces().clone(), faces, corners) };
+            let layers = mesh.rebuild(draft).unwrap().0.layers().to_vec();
+            [layers[0].element_count(), layers[1].element_count()]
+        };
+        assert_eq!(rebuilt(Loose::default()), [2, 1]);
+        assert_eq!(rebuilt(Loose { edges: true, points: false }), [0, 1]);
+        assert_eq!(rebuilt(Loose { edges: false, points: true }), [2, 0]);
+    }
+
+    #[test]
+    fn created_values_that_are_the_same_are_one_value() {
+        // Three triangles round a new vertex inside the first face; its middle is a value that is there already.
+        let corner = |values: Vec<f64>| {
+            Layer::direct("texcoord", Domain::Corner, 1, Carry::Interpolate, Values::F64(values))
+        };
+        let centred = |values: Vec<f64>| {
+            let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec()).unwrap();
+            let mesh = PolygonMesh::new(square().positions()[..3].to_vec(), faces).unwrap();
+            let mesh = mesh.with_layers(vec![corner(values)]).unwrap();
+            let faces = FaceTable::triangles(4, [0, 1, 3, 1, 2, 3, 2, 0, 3].map(VertexId).to_vec()).unwrap();
+            let place = Blend::Inside { face: FaceId(0) };
+            let c = |corner| Some(CornerId(corner));
+            let corners = [c(0), c(1), None, c(1), c(2), None, c(2), c(0), None];
+            let draft = Draft {
+                vertex_sources: Sources::listed(
+                    [0, 1, 2].map(|v| Some(VertexId(v))).into_iter().chain([None]),
+                ),
+                created_vertices: vec![VertexDraft { position: [0.1; 3], place }],
+                created_corners: [2, 5, 8].map(|corner| (CornerId(corner), place)).to_vec(),
+                ..Draft::of_faces(
+                    &mesh,
+                    faces,
+                    Sources::listed([Some(FaceId(0)); 3]),
+                    Sources::listed(corners),
+                )
+            };
+            let layer = mesh.rebuild(draft).unwrap().0.layers()[0].clone();
+            (layer.values().len(), [2, 5, 8].map(|corner| layer.value_of(corner)))
+        };
+        assert_eq!(centred(vec![0.0, 3.0, 9.0]), (4, [Some(3); 3]));
+        assert_eq!(centred(vec![0.0, 1.0, 0.5]), (3, [Some(2); 3]));
     }
 }

@@ -15,6 +15,7 @@
 //! 5. **Provenance is the record of change.** A pass says for each new face and corner which old one it came
 //!    from ([`Provenance`]); everything else is derived, and attributes ride on it ([`Draft`]).
 
+mod anchors;
 mod attributes;
 mod capabilities;
 mod column;
@@ -29,6 +30,7 @@ mod face_table;
 mod grouping;
 mod ids;
 mod mesh;
+mod pooling;
 mod provenance;
 mod render_vertices;
 mod role;

@@ -26,10 +26,11 @@ pub struct PolygonMesh {
     complex: Arc<OnceLock<Complex>>,
 }
 
-/// Something a file says of itself as a whole: a comment, a material library, the name of a solid.
+/// Something a file says beside its elements: a comment, a material library, the name of a solid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Metadata {
-    /// What kind of statement it is, such as `comment`, `mtllib` or `solid`.
+    /// What kind of statement it is, such as `comment`, `mtllib` or `solid`; for one that stands before an element, with
+    /// that: `comment@f7` stands before face 7, counted from 1.
     pub key: String,
     /// What it says, as bytes: files need not be UTF-8.
     pub value: Vec<u8>,
@@ -99,7 +100,7 @@ impl PolygonMesh {
     /// The mesh with these loose edges and points in place of its own.
     ///
     /// # Errors
-    /// When one of them names a vertex that does not exist.
+    /// When one of them names a vertex that does not exist, or a layer is for another number of them.
     pub fn with_loose(self, edges: Vec<[VertexId; 2]>, points: Vec<VertexId>) -> Result<Self, MeshError> {
         let vertex_count = self.positions.len();
         let outside = |v: &VertexId| v.index() >= vertex_count;
@@ -114,7 +115,9 @@ impl PolygonMesh {
         if let Some(index) = points.iter().position(outside) {
             return wrong("loose point", index, points[index]);
         }
-        Ok(PolygonMesh { loose_edges: Arc::new(edges), loose_points: Arc::new(points), ..self })
+        let mesh = PolygonMesh { loose_edges: Arc::new(edges), loose_points: Arc::new(points), ..self };
+        mesh.layers.iter().try_for_each(|layer| mesh.check_size(layer))?;
+        Ok(mesh)
     }
 
     /// The mesh with these attribute layers in place of its own.
@@ -123,20 +126,32 @@ impl PolygonMesh {
     /// When a layer is for another number of elements, or uses values that it does not have.
     pub fn with_layers(self, layers: Vec<Layer>) -> Result<Self, MeshError> {
         for layer in &layers {
-            let expected = match layer.domain() {
-                Domain::Vertex => self.positions.len(),
-                Domain::Corner => self.faces.corner_count(),
-                Domain::Face => self.faces.face_count(),
-            };
-            if layer.element_count() != expected {
-                let (name, found) = (layer.name().to_owned(), layer.element_count());
-                return Err(MeshError::LayerSize { name, found, expected });
-            }
+            self.check_size(layer)?;
             if !layer.is_consistent() {
                 return Err(MeshError::LayerValues { name: layer.name().to_owned() });
             }
         }
         Ok(PolygonMesh { layers: Arc::new(layers), ..self })
+    }
+
+    fn check_size(&self, layer: &Layer) -> Result<(), MeshError> {
+        let (name, found, expected) =
+            (layer.name(), layer.element_count(), self.element_count(layer.domain()));
+        if found == expected {
+            return Ok(());
+        }
+        Err(MeshError::LayerSize { name: name.to_owned(), found, expected })
+    }
+
+    /// How many elements of a kind there are.
+    pub fn element_count(&self, domain: Domain) -> usize {
+        match domain {
+            Domain::Vertex => self.positions.len(),
+            Domain::Corner => self.faces.corner_count(),
+            Domain::Face => self.faces.face_count(),
+            Domain::LooseEdge => self.loose_edges.len(),
+            Domain::LoosePoint => self.loose_points.len(),
+        }
     }
 
     /// The mesh with these statements about the file as a whole in place of its own.
@@ -258,6 +273,11 @@ mod tests {
         let outside = Layer::indexed("quality", Domain::Corner, 1, Carry::Copy, numbers(2), vec![0, 1, 2]);
         let wrong = triangle().with_layers(vec![outside]).unwrap_err();
         assert_eq!(wrong, MeshError::LayerValues { name: "quality".into() });
+        let of_edges = Layer::direct("quality", Domain::LooseEdge, 1, Carry::Copy, numbers(1));
+        assert!(triangle().with_layers(vec![of_edges.clone()]).is_err());
+        let with_edge = triangle().with_loose(vec![[VertexId(0), VertexId(1)]], Vec::new()).unwrap();
+        let with_layer = with_edge.with_layers(vec![of_edges]).unwrap();
+        assert!(with_layer.with_loose(Vec::new(), Vec::new()).is_err());
         let uneven = Layer::indexed("pair", Domain::Face, 2, Carry::Copy, numbers(3), vec![0]);
         assert!(triangle().with_layers(vec![uneven]).is_err());
     }

@@ -55,12 +55,19 @@ pub(crate) fn absent_loss(layer: &Layer, count: usize) -> Option<Loss> {
     })
 }
 
-/// A loss for each layer that is not among those which are written.
+/// A loss for each layer of vertices, corners and faces that is not among those which are written.
 pub(crate) fn layer_losses(mesh: &PolygonMesh, written: &[&Layer]) -> Vec<Loss> {
+    losses_in(mesh, written, &[Domain::Vertex, Domain::Corner, Domain::Face])
+}
+
+/// A loss for each layer of some kinds of element that is not among those which are written. Layers of loose elements are
+/// named where the format keeps these; else they go with them.
+pub(crate) fn losses_in(mesh: &PolygonMesh, written: &[&Layer], domains: &[Domain]) -> Vec<Loss> {
     let mut addresses: Vec<*const Layer> = written.iter().map(|&layer| std::ptr::from_ref(layer)).collect();
     addresses.sort_unstable();
     let is_written = |layer: &&Layer| addresses.binary_search(&std::ptr::from_ref(*layer)).is_ok();
-    let left_out = mesh.layers().iter().filter(|layer| !is_written(layer));
+    let of_domains = mesh.layers().iter().filter(|layer| domains.contains(&layer.domain()));
+    let left_out = of_domains.filter(|layer| !is_written(layer));
     left_out.filter_map(|layer| layer_loss(layer, layer.element_count() - absent(layer))).collect()
 }
 
@@ -75,40 +82,47 @@ fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
 /// The loss of a pool of values none of which any element uses, in a format that stores values with elements.
 fn unused_layer_loss(layer: &Layer) -> Option<Loss> {
     let (domain, name) = (domain_name(layer.domain()), layer.name());
-    let values = if absent(layer) == layer.element_count() { layer.value_count() } else { 0 };
+    // Loose elements that are gone were named when they went.
+    let is_of_loose = matches!(layer.domain(), Domain::LooseEdge | Domain::LoosePoint);
+    let is_unused = !is_of_loose && absent(layer) == layer.element_count();
+    let values = if is_unused { layer.value_count() } else { 0 };
     Loss::if_any(LossKind::Layer, values, |count| {
         format!("{count} values of the {domain} attribute `{name}`, which no {domain} uses")
     })
 }
 
-/// `vertex`, `corner` or `face`.
+/// `vertex`, `corner`, `face`, `loose edge` or `loose point`.
 pub(crate) fn domain_name(domain: Domain) -> &'static str {
     match domain {
         Domain::Vertex => "vertex",
         Domain::Corner => "corner",
         Domain::Face => "face",
+        Domain::LooseEdge => "loose edge",
+        Domain::LoosePoint => "loose point",
     }
 }
 
-/// `vertices`, `corners` or `faces`.
+/// `vertices`, `corners`, `faces`, `loose edges` or `loose points`.
 pub(crate) fn elements(layer: &Layer) -> &'static str {
     match layer.domain() {
         Domain::Vertex => "vertices",
         Domain::Corner => "corners",
         Domain::Face => "faces",
+        Domain::LooseEdge => "loose edges",
+        Domain::LoosePoint => "loose points",
     }
 }
 
 /// The loss of statements with these keys that one line can't spell as they are.
 pub(crate) fn spelling_loss(mesh: &PolygonMesh, keys: &[&str]) -> Option<Loss> {
-    let written = mesh.metadata().iter().filter(|statement| keys.contains(&statement.key.as_str()));
+    let written = mesh.metadata().iter().filter(|statement| keys.contains(&statement.kind()));
     let other = written.filter(|statement| one_line(&statement.value)[..] != statement.value[..]).count();
     Loss::if_any(LossKind::Names, other, |n| format!("{n} statements about the file are spelled otherwise"))
 }
 
 /// A loss for each kind of statement about the whole file that is not among those which are written.
 pub(crate) fn metadata_losses(mesh: &PolygonMesh, written: &[&str]) -> Vec<Loss> {
-    let mut keys: Vec<&str> = mesh.metadata().iter().map(|m| m.key.as_str()).collect();
+    let mut keys: Vec<&str> = mesh.metadata().iter().map(|m| m.kind()).collect();
     keys.retain(|key| !written.contains(key));
     keys.sort_unstable();
     let of_key = keys.chunk_by(|a, b| a == b);

@@ -29,7 +29,7 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
     let plan = Plan::of(prepared);
     let mut sink = Sink::new(out);
     sink.bytes(plan.header().as_bytes());
-    for statement in mesh.metadata().iter().filter(|statement| statement.key == "comment") {
+    for statement in mesh.metadata().iter().filter(|statement| statement.kind() == "comment") {
         sink.bytes(b"# ");
         sink.bytes(&one_line(&statement.value));
         sink.byte(b'\n');

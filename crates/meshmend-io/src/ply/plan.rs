@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
-use crate::layers::{absent, absent_loss, domain_name, layer_losses, metadata_losses, one_line, point_loss};
+use crate::layers::{
+    absent, absent_loss, domain_name, layer_losses, losses_in, metadata_losses, one_line, point_loss,
+};
 use crate::ply::layers::usual;
 use crate::ply::scalar::Scalar;
 use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES, PlyShape};
@@ -49,9 +51,10 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let plan = Plan::of(prepared);
     let mut losses = layer_losses(mesh, &plan.layers());
     losses.extend(plan.losses);
+    losses.extend(losses_in(mesh, &[], &[Domain::LooseEdge]));
     losses.extend(point_loss(mesh));
     losses.extend(metadata_losses(mesh, &KEYS));
-    let statements = mesh.metadata().iter().filter(|m| KEYS.contains(&m.key.as_str()));
+    let statements = mesh.metadata().iter().filter(|m| KEYS.contains(&m.kind()));
     let other = statements.filter(|m| header_line(&m.value) != m.value).count();
     losses.extend(Loss::if_any(LossKind::Names, other, |n| format!("{n} comments are spelled otherwise")));
     losses
@@ -101,7 +104,7 @@ impl<'a> Plan<'a> {
 
     fn add(&mut self, mesh: &'a PolygonMesh, layer: &'a Layer, most_corners: usize) {
         match (layer.domain(), layer.values()) {
-            (_, Values::Text(_)) => {}
+            (_, Values::Text(_)) | (Domain::LooseEdge | Domain::LoosePoint, _) => {}
             (Domain::Corner, Values::Lists { .. }) => {}
             // A property of empty lists would be read as one of the faces.
             (Domain::Corner, _) if absent(layer) == layer.element_count() => {}

@@ -29,7 +29,7 @@ fn header(mesh: &PolygonMesh, plan: &Plan<'_>, encoding: Encoding, sink: &mut Si
     };
     sink.bytes(format!("ply\nformat {form} 1.0\n").as_bytes());
     for statement in mesh.metadata() {
-        let word = match statement.key.as_str() {
+        let word = match statement.kind() {
             key @ ("comment" | "obj_info") => key,
             _ => continue,
         };

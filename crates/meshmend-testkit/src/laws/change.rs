@@ -100,6 +100,12 @@ impl Change<'_> {
                 }
                 continue;
             }
+            if matches!(old.domain(), Domain::LooseEdge | Domain::LoosePoint) {
+                // They stay or go together.
+                let is_gone = new_values.is_empty();
+                same(new.name(), "loose elements", is_gone || new_values == old_values, true)?;
+                continue;
+            }
             for (corner, source) in self.record.corners.iter().filter_map(|(c, old)| Some((c, old?))) {
                 let found = at_corner(self.after.faces(), new, &new_values, corner);
                 same(new.name(), corner, found, at_corner(self.before.faces(), old, &old_values, source))?;
