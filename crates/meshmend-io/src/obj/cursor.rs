@@ -101,7 +101,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The rest of a statement as a name: without blanks at its ends and without a comment.
+    /// The rest of a statement as a name: without blanks at its ends and without a comment, which is left where it is.
     pub(super) fn rest(&mut self) -> Result<Cow<'a, [u8]>, ReadError> {
         let start = self.at;
         let mut end = text::line_end(self.bytes, start);
@@ -118,7 +118,10 @@ impl<'a> Cursor<'a> {
             return Err(self.wrong(start, "a NUL byte in a statement"));
         }
         Ok(match continued {
-            None => Cow::Borrowed(name_of(piece)),
+            None => {
+                self.at = start + comment_start(piece);
+                Cow::Borrowed(name_of(piece))
+            }
             Some(mut whole) => {
                 whole.extend(piece);
                 Cow::Owned(name_of(&whole).to_vec())
@@ -137,9 +140,13 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// A name without blanks at its ends, and without a comment: `#` at the start or after a blank.
+/// A name without blanks at its ends, and without a comment.
 fn name_of(bytes: &[u8]) -> &[u8] {
+    text::trimmed(&bytes[..comment_start(bytes)])
+}
+
+/// Where a comment begins, if there is one, or the end: `#` at the start or after a blank.
+fn comment_start(bytes: &[u8]) -> usize {
     let begins_comment = |at: usize| bytes[at] == b'#' && (at == 0 || is_blank(bytes[at - 1]));
-    let end = (0..bytes.len()).find(|&at| begins_comment(at)).unwrap_or(bytes.len());
-    text::trimmed(&bytes[..end])
+    (0..bytes.len()).find(|&at| begins_comment(at)).unwrap_or(bytes.len())
 }

@@ -16,26 +16,29 @@ impl Reader<'_> {
             return Err(self.source.malformed(Place::Line(1), "no statement of an OBJ file"));
         }
         self.vertex_layers();
-        self.corner_layers();
-        let faces = self.parts.faces.face_count();
-        self.note_unused_names();
-        let names = std::mem::take(&mut self.names);
-        self.parts
-            .layers
-            .extend(names.into_iter().zip(&KINDS).filter_map(|(runs, kind)| runs.layer(kind, faces)));
+        let texcoords = self.corner_layers();
+        self.name_layers();
+        self.loose_layers(texcoords.as_ref());
         let source = self.source;
         let (mesh, notes) = self.parts.assemble(source, 1, |at| source.line(at))?;
         let shell = Shell::of_file(Encoding::Ascii, Shape::Obj(ObjShape));
         Ok(Parsed { mesh, variant: "obj", notes, shell })
     }
 
-    fn note_unused_names(&mut self) {
-        let source = self.source;
-        for (runs, kind) in self.names.iter().zip(&KINDS) {
-            let Some((count, at)) = runs.unused() else { continue };
-            let message = format!("names of `{}` that no face has were skipped", kind.layer);
-            self.parts.notes.add_many(NoteKind::UnusedName, &message, count, || source.line(at));
+    fn name_layers(&mut self) {
+        let (source, elements) = (self.source, self.elements());
+        let mut loose = Vec::new();
+        for (runs, kind) in std::mem::take(&mut self.names).into_iter().zip(&KINDS) {
+            let (layers, unused) = runs.layers(kind, elements);
+            let (of_faces, others): (Vec<Layer>, _) =
+                layers.into_iter().partition(|layer| layer.domain() == Domain::Face);
+            self.parts.layers.extend(of_faces);
+            loose.extend(others);
+            let message = format!("names of `{}` that no element has were skipped", kind.layer);
+            let first = || source.line(unused.first);
+            self.parts.notes.add_many(NoteKind::UnusedName, &message, unused.count, first);
         }
+        self.parts.layers.extend(loose);
     }
 
     fn vertex_layers(&mut self) {
@@ -48,14 +51,17 @@ impl Reader<'_> {
         self.parts.layers.extend(colors.layer(vertices));
     }
 
-    fn corner_layers(&mut self) {
+    /// Adds the layers of texture coordinates and normals; gives the former.
+    fn corner_layers(&mut self) -> Option<Layer> {
         self.note_mixed_widths();
         let texcoords = std::mem::take(&mut self.texcoords.values);
         let normals = std::mem::take(&mut self.normals.values);
         let texcoord_uses = std::mem::take(&mut self.texcoord_uses);
         let normal_uses = std::mem::take(&mut self.normal_uses);
-        self.corner_layer("texcoord", self.texcoords.width, texcoords, texcoord_uses);
-        self.corner_layer("normal", 3, normals, normal_uses);
+        let texcoords = self.corner_layer("texcoord", self.texcoords.width, texcoords, texcoord_uses);
+        let normals = self.corner_layer("normal", 3, normals, normal_uses);
+        self.parts.layers.extend(texcoords.iter().cloned().chain(normals));
+        texcoords
     }
 
     fn note_mixed_widths(&mut self) {
@@ -63,19 +69,17 @@ impl Reader<'_> {
         self.parts.notes.add_many(NoteKind::MixedWidths, message, self.texcoords.mixed, || Place::File);
     }
 
-    fn corner_layer(&mut self, name: &str, width: usize, pool: Vec<f64>, uses: Uses) {
+    fn corner_layer(&mut self, name: &str, width: usize, pool: Vec<f64>, uses: Uses) -> Option<Layer> {
         if uses.is_empty() && pool.is_empty() {
-            return;
+            return None;
         }
         let width = width.max(1);
         let (uses, wrong) = uses.checked(self.parts.faces.corner_count(), pool.len() / width);
         if let Some((count, at)) = wrong.filter(|&(count, _)| count > 0) {
             self.note_out_of_range(count, at);
         }
-        if !pool.is_empty() {
-            let values = Values::F64(pool);
-            let layer = Layer::indexed(name, Domain::Corner, width, Carry::Interpolate, values, uses);
-            self.parts.layers.push(layer);
-        }
+        let values = Values::F64(pool);
+        let layer = Layer::indexed(name, Domain::Corner, width, Carry::Interpolate, values, uses);
+        (!layer.values().is_empty()).then_some(layer)
     }
 }

@@ -1,7 +1,6 @@
-//! The statements that name something for all faces after them.
+//! The statements that name something for all elements after them.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Values};
 
@@ -23,50 +22,94 @@ pub(super) const KINDS: [Kind; 4] = [
     Kind { statement: b"s", layer: "smoothing", none: b"off" },
 ];
 
-/// The names of one kind: each holds from a face on.
+/// How many faces, loose edges and loose points there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Elements {
+    pub(super) faces: usize,
+    pub(super) edges: usize,
+    pub(super) points: usize,
+}
+
+impl Elements {
+    fn of(self, domain: Domain) -> usize {
+        match domain {
+            Domain::LooseEdge => self.edges,
+            Domain::LoosePoint => self.points,
+            _ => self.faces,
+        }
+    }
+}
+
+/// The kinds of element that have names.
+pub(super) const NAMED: [Domain; 3] = [Domain::Face, Domain::LooseEdge, Domain::LoosePoint];
+
+/// The names of one kind. Each statement begins a run, whether the name is a new one or not: two objects of one name that
+/// follow one another are two.
 #[derive(Default)]
 pub(super) struct Runs<'a> {
-    runs: Vec<(usize, Cow<'a, [u8]>)>,
-    /// How many names no face has, and where the statement is that replaces the first of them.
-    unused: Option<(u64, usize)>,
+    runs: Vec<Run<'a>>,
+    unused: Unused,
+}
+
+/// The elements that a name statement holds for; an empty name is none.
+struct Run<'a> {
+    name: Cow<'a, [u8]>,
+    first: Elements,
+    /// Where the statement is.
+    at: usize,
+}
+
+/// The names that no element has: how many, and where the first statement is.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Unused {
+    pub(super) count: u64,
+    pub(super) first: usize,
 }
 
 impl<'a> Runs<'a> {
-    /// From this face on the name holds that a statement says.
-    pub(super) fn start(&mut self, face: usize, name: Cow<'a, [u8]>, at: usize) {
-        if self.runs.pop_if(|(first, _)| *first == face).is_some_and(|(_, old)| !old.is_empty()) {
-            self.unused.get_or_insert((0, at)).0 += 1;
-        }
-        self.runs.push((face, name));
+    /// From these elements on the name holds that a statement says.
+    pub(super) fn start(&mut self, first: Elements, name: Cow<'a, [u8]>, at: usize) {
+        self.end(first);
+        self.runs.push(Run { name, first, at });
     }
 
-    /// How many names no face has, and where the statement is that replaces the first of them.
-    pub(super) fn unused(&self) -> Option<(u64, usize)> {
-        self.unused
+    /// Forgets the last name if there is no element that has it.
+    fn end(&mut self, elements: Elements) {
+        if let Some(run) = self.runs.pop_if(|run| run.first == elements).filter(|run| !run.name.is_empty()) {
+            let first = if self.unused.count == 0 { run.at } else { self.unused.first };
+            self.unused = Unused { count: self.unused.count + 1, first };
+        }
     }
 
-    /// The face layer, or nothing when no face has a name.
-    pub(super) fn layer(mut self, kind: &Kind, faces: usize) -> Option<Layer> {
-        self.runs.retain(|(first, _)| *first < faces);
-        let is_none = |name: &[u8]| name == kind.none || name.is_empty();
-        if self.runs.iter().all(|(_, name)| is_none(name)) {
-            return None;
-        }
+    /// The layers of faces and loose elements, those that there are, over one pool of names; and the names that no element
+    /// has. A name has a value for each statement that is written of it: faces come first, then edges, then points.
+    pub(super) fn layers(mut self, kind: &Kind, elements: Elements) -> (Vec<Layer>, Unused) {
+        self.end(elements);
         let mut pool: Vec<Vec<u8>> = Vec::new();
-        let mut known: BTreeMap<&[u8], u32> = BTreeMap::new();
-        let mut uses = vec![NO_VALUE; faces];
-        let ends = self.runs.iter().skip(1).map(|(first, _)| *first).chain([faces]);
-        for ((first, name), end) in self.runs.iter().zip(ends) {
-            if is_none(name) {
-                continue;
+        let mut last = None;
+        let uses = NAMED.map(|domain| {
+            let mut uses = Vec::new();
+            let ends = self.runs.iter().skip(1).map(|run| run.first).chain([elements]);
+            for (number, (run, end)) in self.runs.iter().zip(ends).enumerate() {
+                let (first, end) = (run.first.of(domain), end.of(domain));
+                if first == end {
+                    continue;
+                }
+                let is_new = last.replace(number) != Some(number) && !run.name.is_empty();
+                pool.extend(is_new.then(|| run.name.to_vec()));
+                let value = if run.name.is_empty() { NO_VALUE } else { pool.len() as u32 - 1 };
+                uses.resize(first, NO_VALUE);
+                uses.resize(end, value);
             }
-            let value = *known.entry(name).or_insert_with(|| {
-                pool.push(name.to_vec());
-                pool.len() as u32 - 1
-            });
-            uses[*first..end].fill(value);
-        }
-        Some(Layer::indexed(kind.layer, Domain::Face, 1, Carry::Copy, Values::Text(pool), uses))
+            uses
+        });
+        let pool = Layer::direct(kind.layer, Domain::Face, 1, Carry::Copy, Values::Text(pool));
+        let layers = NAMED.into_iter().zip(uses).filter_map(|(domain, mut uses)| {
+            let is_named = uses.iter().any(|&value| value != NO_VALUE);
+            uses.resize(elements.of(domain), NO_VALUE);
+            is_named.then(|| pool.over_same_values(kind.layer, domain, Carry::Copy, uses))
+        });
+        (layers.collect(), self.unused)
     }
 }
 

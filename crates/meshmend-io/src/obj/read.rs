@@ -1,11 +1,15 @@
 //! The OBJ reader: one pass over the bytes, without a copy of any line. Plain statements are parsed ahead of it.
 
+use std::borrow::Cow;
+
 use meshmend_core::{NO_VALUE, VertexId};
 
 use crate::ahead::{self, read_ahead};
 use crate::assemble::{Parts, Uses, no_such_vertex};
+use crate::obj::comments::Anchors;
 use crate::obj::cursor::{COLUMNS, Cursor};
-use crate::obj::names::{KINDS, Runs};
+use crate::obj::loose::LooseParts;
+use crate::obj::names::{Elements, KINDS, Runs};
 use crate::obj::pools::{Colors, Pool};
 use crate::obj::statements::Statements;
 use crate::read::{Parsed, Source};
@@ -41,6 +45,8 @@ pub(super) struct Reader<'a> {
     pub(super) texcoord_uses: Uses,
     pub(super) normal_uses: Uses,
     pub(super) names: [Runs<'a>; KINDS.len()],
+    pub(super) loose: LooseParts,
+    pub(super) anchors: Anchors,
 }
 
 impl<'a> Reader<'a> {
@@ -59,6 +65,8 @@ impl<'a> Reader<'a> {
             texcoord_uses: Uses::default(),
             normal_uses: Uses::default(),
             names: Default::default(),
+            loose: LooseParts::default(),
+            anchors: Anchors::default(),
         }
     }
 
@@ -90,7 +98,7 @@ impl<'a> Reader<'a> {
         match keyword {
             b"vt" => self.texcoord(start),
             b"vn" => self.normal(start),
-            b"l" => self.polyline(),
+            b"l" => self.polyline(start),
             b"p" => self.points(),
             b"mtllib" => {
                 let name = self.cursor.rest()?;
@@ -119,7 +127,8 @@ impl<'a> Reader<'a> {
         let (start, end) = (self.cursor.at, text::line_end(self.cursor.bytes, self.cursor.at));
         let bytes = self.cursor.bytes;
         self.is_obj |= bytes.len() > 1;
-        self.keep("comment", text::comment_text(&bytes[start + 1..end]), start);
+        let key = self.comment_key(end);
+        self.keep(&key, text::comment_text(&bytes[start + 1..end]), start);
         self.cursor.at = end;
     }
 
@@ -130,8 +139,19 @@ impl<'a> Reader<'a> {
 
     fn name(&mut self, kind: usize, start: usize) -> Result<(), ReadError> {
         let name = self.cursor.rest()?;
-        self.names[kind].start(self.parts.faces.face_count(), name, start);
+        let name = if name[..] == *KINDS[kind].none { Cow::Borrowed(&b""[..]) } else { name };
+        let first = self.elements();
+        self.names[kind].start(first, name, start);
         Ok(())
+    }
+
+    /// How many elements there are so far.
+    pub(super) fn elements(&self) -> Elements {
+        Elements {
+            faces: self.parts.faces.face_count(),
+            edges: self.parts.loose_edges.len(),
+            points: self.parts.loose_points.len(),
+        }
     }
 
     fn vertex(&mut self) -> Result<(), ReadError> {
@@ -230,45 +250,9 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn polyline(&mut self) -> Result<(), ReadError> {
-        let mut previous = None;
-        while self.cursor.more_items() {
-            let vertex = self.loose_vertex()?;
-            if let Some(previous) = previous.replace(vertex) {
-                self.parts.loose_edges.push([previous, vertex]);
-            }
-        }
-        Ok(())
-    }
-
-    fn points(&mut self) -> Result<(), ReadError> {
-        while self.cursor.more_items() {
-            let vertex = self.loose_vertex()?;
-            self.parts.loose_points.push(vertex);
-        }
-        Ok(())
-    }
-
-    fn loose_vertex(&mut self) -> Result<VertexId, ReadError> {
-        let start = self.cursor.at;
-        let raw = self.cursor.index("a vertex index")?;
-        let vertex = self.vertex_index(raw, start)?;
-        if self.cursor.peek() == Some(b'/') {
-            self.cursor.at += 1;
-            if self.cursor.is_index() {
-                self.cursor.index("a texture index")?;
-            }
-            let source = self.source;
-            let message = "texture coordinates of loose edges were skipped";
-            self.parts.notes.add(NoteKind::LooseAttribute, message, || source.line(start));
-        }
-        self.cursor.end_item("an element")?;
-        Ok(VertexId(vertex))
-    }
-
     /// The index of a vertex from 0 on; whether it exists is known at the end, unless it counts back.
     #[inline]
-    fn vertex_index(&mut self, raw: i64, start: usize) -> Result<u32, ReadError> {
+    pub(super) fn vertex_index(&mut self, raw: i64, start: usize) -> Result<u32, ReadError> {
         let count = self.parts.positions.len();
         match resolved(raw, count) {
             Some(index) => {
@@ -284,7 +268,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The index of a texture coordinate or normal; one that can't exist becomes one that does not.
-    fn attribute_index(&mut self, raw: i64, count: usize, start: usize) -> u32 {
+    pub(super) fn attribute_index(&mut self, raw: i64, count: usize, start: usize) -> u32 {
         resolved(raw, count).unwrap_or_else(|| {
             self.note_out_of_range(1, start);
             NO_VALUE

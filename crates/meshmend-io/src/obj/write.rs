@@ -1,27 +1,29 @@
 //! The OBJ writer.
 
-use std::borrow::Cow;
 use std::io;
 
-use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values};
+use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
 
 use crate::layers::{
-    absent, domain_name, has_fractions, is_numeric, layer_losses, layer_of, metadata_losses, number,
-    one_line, spelling_loss,
+    absent, domain_name, has_fractions, is_numeric, layer_losses, layer_of, losses_in, metadata_losses,
+    number, one_line, spelling_loss,
 };
-use crate::obj::names::{KINDS, spelled};
+use crate::obj::comments::{Between, COMMENT, ELEMENTS, FACE, NORMAL, TEXCOORD, VERTEX, is_between};
+use crate::obj::write_loose::LoosePlan;
+use crate::obj::write_names::Names;
 use crate::sink::Sink;
 use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
 /// Statements about the whole file, with their keys.
-const STATEMENTS: [(&str, &str); 2] = [("comment", "#"), ("mtllib", "mtllib")];
+const STATEMENTS: [(&str, &str); 2] = [(COMMENT, "#"), ("mtllib", "mtllib")];
 
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
     let mesh = &prepared.mesh;
     let plan = Plan::of(mesh);
     let mut sink = Sink::new(out);
-    for statement in mesh.metadata() {
-        let Some((_, word)) = STATEMENTS.iter().find(|(key, _)| *key == statement.key) else { continue };
+    let mut between = Between::of(mesh);
+    for statement in mesh.metadata().iter().filter(|statement| !is_between(statement)) {
+        let Some((_, word)) = STATEMENTS.iter().find(|(key, _)| *key == statement.kind()) else { continue };
         sink.bytes(word.as_bytes());
         if !statement.value.is_empty() {
             sink.byte(b' ');
@@ -31,22 +33,28 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
         sink.checkpoint()?;
     }
     let is_written = |key: &str| STATEMENTS.iter().any(|(known, _)| *known == key);
-    if mesh.positions().is_empty() && !mesh.metadata().iter().any(|statement| is_written(&statement.key)) {
+    if mesh.positions().is_empty() && !mesh.metadata().iter().any(|statement| is_written(statement.kind())) {
         // A file without a byte could be one that something went wrong with.
         sink.bytes(b"# no vertices\n");
     }
-    plan.vertices(mesh, &mut sink)?;
-    pool(plan.texcoord, b"vt", &mut sink)?;
-    pool(plan.normal, b"vn", &mut sink)?;
-    plan.faces(mesh, &mut sink)?;
-    loose(mesh, &mut sink)?;
+    plan.vertices(mesh, &mut between, &mut sink)?;
+    pool(plan.texcoord, TEXCOORD, &mut between, &mut sink)?;
+    plan.loose.further_texcoords(&mut sink)?;
+    pool(plan.normal, NORMAL, &mut between, &mut sink)?;
+    let mut names = Names::of(mesh);
+    plan.faces(mesh, &mut names, &mut between, &mut sink)?;
+    plan.loose.write(mesh, &mut names, &mut between, &mut sink)?;
+    between.at_end(&mut sink);
     Ok(sink.finish()?)
 }
 
 pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let mesh = &prepared.mesh;
     let plan = Plan::of(mesh);
-    let mut losses = layer_losses(mesh, &plan.layers());
+    let names = Names::of(mesh);
+    let written: Vec<&Layer> = plan.layers().into_iter().chain(names.layers()).collect();
+    let mut losses = layer_losses(mesh, &written);
+    losses.extend(losses_in(mesh, &written, &[Domain::LooseEdge, Domain::LoosePoint]));
     losses.extend(plan.color.filter(|color| !has_fractions(color)).map(|color| {
         let count = color.element_count();
         let message = format!("colours of {count} vertices become fractions of 255");
@@ -58,13 +66,7 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
         })
     }));
     losses.extend([plan.texcoord, plan.normal].into_iter().flatten().filter_map(moved_to_corners));
-    losses.extend(plan.names.iter().zip(&KINDS).filter_map(|(layer, kind)| {
-        let Values::Text(names) = layer.as_ref()?.values() else { return None };
-        let other = names.iter().filter(|name| *spelled(kind, name) != name[..]).count();
-        Loss::if_any(LossKind::Names, other, |n| {
-            format!("{n} names of `{}` are spelled otherwise", kind.layer)
-        })
-    }));
+    losses.extend(names.losses());
     let keys = STATEMENTS.map(|(key, _)| key);
     losses.extend(metadata_losses(mesh, &keys));
     losses.extend(spelling_loss(mesh, &keys));
@@ -83,7 +85,7 @@ struct Plan<'a> {
     weight: Option<&'a Layer>,
     texcoord: Option<&'a Layer>,
     normal: Option<&'a Layer>,
-    names: [Option<&'a Layer>; KINDS.len()],
+    loose: LoosePlan<'a>,
 }
 
 impl<'a> Plan<'a> {
@@ -99,23 +101,24 @@ impl<'a> Plan<'a> {
         };
         let color = layer_of(mesh, "color", Domain::Vertex, is_color);
         let is_weight = |layer: &Layer| color.is_none() && has_fractions(layer) && layer.width() == 1;
-        let is_text = |layer: &Layer| matches!(layer.values(), Values::Text(_)) && layer.width() == 1;
+        let texcoord = indexed("texcoord", 1..=3);
         Plan {
             color,
             weight: layer_of(mesh, "weight", Domain::Vertex, is_weight),
-            texcoord: indexed("texcoord", 1..=3),
+            texcoord,
             normal: indexed("normal", 3..=3),
-            names: KINDS.each_ref().map(|kind| layer_of(mesh, kind.layer, Domain::Face, is_text)),
+            loose: LoosePlan::of(mesh, texcoord),
         }
     }
 
     fn layers(&self) -> Vec<&'a Layer> {
         let single = [self.color, self.weight, self.texcoord, self.normal];
-        single.into_iter().chain(self.names).flatten().collect()
+        single.into_iter().flatten().chain(self.loose.layers()).collect()
     }
 
-    fn vertices(&self, mesh: &PolygonMesh, sink: &mut Sink<'_>) -> io::Result<()> {
+    fn vertices(&self, mesh: &PolygonMesh, between: &mut Between<'_>, sink: &mut Sink<'_>) -> io::Result<()> {
         for (vertex, position) in mesh.positions().iter().enumerate() {
+            between.before(VERTEX, vertex, sink);
             sink.byte(b'v');
             position.iter().for_each(|&x| spaced(sink, x));
             if let Some(layer) = self.weight {
@@ -130,13 +133,20 @@ impl<'a> Plan<'a> {
             sink.byte(b'\n');
             sink.checkpoint()?;
         }
+        between.after_all(VERTEX, sink);
         Ok(())
     }
 
-    fn faces(&self, mesh: &PolygonMesh, sink: &mut Sink<'_>) -> io::Result<()> {
-        let mut current = [None; KINDS.len()];
+    fn faces(
+        &self,
+        mesh: &PolygonMesh,
+        names: &mut Names<'_>,
+        between: &mut Between<'_>,
+        sink: &mut Sink<'_>,
+    ) -> io::Result<()> {
         for face in mesh.faces().faces() {
-            self.names_before(face, &mut current, sink);
+            between.before(FACE, face.index(), sink);
+            names.before(0, face.index(), sink);
             sink.byte(b'f');
             for corner in mesh.faces().corner_range(face) {
                 let vertex = mesh.faces().corner_vertices()[corner].index();
@@ -151,32 +161,14 @@ impl<'a> Plan<'a> {
             sink.byte(b'\n');
             sink.checkpoint()?;
         }
+        between.after_all(FACE, sink);
         Ok(())
-    }
-
-    /// The statements that give a face other names than the face before it has.
-    fn names_before(&self, face: FaceId, current: &mut [Option<usize>; KINDS.len()], sink: &mut Sink<'_>) {
-        for ((layer, kind), current) in self.names.iter().zip(&KINDS).zip(current) {
-            let Some(layer) = layer else { continue };
-            let (Values::Text(names), name) = (layer.values(), layer.value_of(face.index())) else {
-                continue;
-            };
-            if name == std::mem::replace(current, name) {
-                continue;
-            }
-            let name = name.map_or(Cow::Borrowed(kind.none), |name| spelled(kind, &names[name]));
-            sink.bytes(kind.statement);
-            if !name.is_empty() {
-                sink.byte(b' ');
-                sink.bytes(&name);
-            }
-            sink.byte(b'\n');
-        }
     }
 }
 
+/// What follows a vertex: the numbers of its texture coordinate and normal.
 #[inline]
-fn attributes(sink: &mut Sink<'_>, texcoord: Option<usize>, normal: Option<usize>) {
+pub(super) fn attributes(sink: &mut Sink<'_>, texcoord: Option<usize>, normal: Option<usize>) {
     match (texcoord, normal) {
         (None, None) => {}
         (Some(texcoord), None) => {
@@ -192,31 +184,31 @@ fn attributes(sink: &mut Sink<'_>, texcoord: Option<usize>, normal: Option<usize
     }
 }
 
-fn pool(layer: Option<&Layer>, statement: &[u8], sink: &mut Sink<'_>) -> io::Result<()> {
-    let Some(layer) = layer else { return Ok(()) };
-    for value in 0..layer.value_count() {
-        sink.bytes(statement);
-        let width = layer.width();
-        (0..width).for_each(|i| spaced(sink, number(layer.values(), value * width + i)));
-        sink.byte(b'\n');
-        sink.checkpoint()?;
+fn pool(
+    layer: Option<&Layer>,
+    kind: usize,
+    between: &mut Between<'_>,
+    sink: &mut Sink<'_>,
+) -> io::Result<()> {
+    if let Some(layer) = layer {
+        let statement = ELEMENTS[kind].as_bytes();
+        for value in 0..layer.value_count() {
+            between.before(kind, value, sink);
+            values(layer, value, statement, sink);
+            sink.checkpoint()?;
+        }
     }
+    between.after_all(kind, sink);
     Ok(())
 }
 
-fn loose(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> io::Result<()> {
-    let edges = mesh.loose_edges().iter().map(|ends| (b'l', &ends[..]));
-    let points = mesh.loose_points().iter().map(|point| (b'p', std::slice::from_ref(point)));
-    for (statement, vertices) in edges.chain(points) {
-        sink.byte(statement);
-        for vertex in vertices {
-            sink.byte(b' ');
-            sink.integer(vertex.index() as i64 + 1);
-        }
-        sink.byte(b'\n');
-        sink.checkpoint()?;
-    }
-    Ok(())
+/// A statement of the numbers of one value.
+#[inline]
+pub(super) fn values(layer: &Layer, value: usize, statement: &[u8], sink: &mut Sink<'_>) {
+    sink.bytes(statement);
+    let width = layer.width();
+    (0..width).for_each(|i| spaced(sink, number(layer.values(), value * width + i)));
+    sink.byte(b'\n');
 }
 
 #[inline]

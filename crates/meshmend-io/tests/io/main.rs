@@ -7,6 +7,7 @@ mod common;
 mod corpus;
 mod formats;
 mod obj;
+mod obj_kept;
 mod off;
 mod ply;
 mod ply_rows;

@@ -50,7 +50,7 @@ fn lines_and_points_become_loose_elements() {
     let edges: Vec<[u32; 2]> = file.mesh.loose_edges().iter().map(|ends| ends.map(|v| v.0)).collect();
     assert_eq!(edges, [[0, 1], [1, 2], [0, 2]]);
     assert_eq!(file.mesh.loose_points(), [VertexId(1), VertexId(2)]);
-    assert_eq!(note(&file, NoteKind::LooseAttribute).count, 2);
+    assert_eq!(note(&file, NoteKind::AttributeOutOfRange).count, 2);
     assert_kept(&file.mesh, Format::Obj, Encoding::Ascii);
 }
 
@@ -119,8 +119,12 @@ fn names_hold_until_the_next_and_no_name_is_no_value() {
     assert_eq!(of("group"), list(["-", "a b", "a", "-"]));
     assert_eq!(of("material"), list(["-", "red", "red", "red"]));
     assert_eq!(of("smoothing"), list(["-", "1", "-", "-"]));
-    assert_eq!(layer(&file.mesh, "material", Domain::Face).value_count(), 1);
-    assert_eq!(file.mesh.metadata(), [Metadata { key: "mtllib".to_owned(), value: b"a b.mtl".to_vec() }]);
+    // The second `usemtl red` is a statement of its own, and no element follows `o unused`.
+    assert_eq!(layer(&file.mesh, "material", Domain::Face).value_count(), 2);
+    assert_eq!(note(&file, NoteKind::UnusedName).first, Place::Line(17));
+    let statement = |key: &str, value: &[u8]| Metadata { key: key.to_owned(), value: value.to_vec() };
+    let expected = [statement("mtllib", b"a b.mtl"), statement("comment@f2", b"the")];
+    assert_eq!(file.mesh.metadata(), expected);
     assert_kept(&file.mesh, Format::Obj, Encoding::Ascii);
 }
 
