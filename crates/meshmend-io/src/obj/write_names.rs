@@ -16,10 +16,17 @@ pub(super) struct Names<'a> {
 
 /// The layers of one kind of name, by the kind of element, and what holds at present.
 struct NamesOfKind<'a> {
-    layers: [Option<(&'a Layer, &'a [Vec<u8>])>; NAMED.len()],
+    layers: [Option<NamedBy<'a>>; NAMED.len()],
     /// Whether all layers have the same pool, so that a value is the same statement in each.
     is_shared: bool,
     current: Option<(usize, usize)>,
+}
+
+/// A layer and its pool of names.
+#[derive(Clone, Copy)]
+struct NamedBy<'a> {
+    layer: &'a Layer,
+    pool: &'a [Vec<u8>],
 }
 
 impl<'a> Names<'a> {
@@ -27,9 +34,9 @@ impl<'a> Names<'a> {
         let kinds = KINDS.each_ref().map(|kind| {
             let layers = NAMED.map(|domain| {
                 let layer = layer_of(mesh, kind.layer, domain, |layer| names_of(layer).is_some())?;
-                Some((layer, names_of(layer)?))
+                Some(NamedBy { layer, pool: names_of(layer)? })
             });
-            let mut pools = layers.iter().flatten().map(|(_, pool)| pool);
+            let mut pools = layers.iter().flatten().map(|named| named.pool);
             let first = pools.next();
             NamesOfKind { layers, is_shared: pools.all(|pool| Some(pool) == first), current: None }
         });
@@ -38,13 +45,13 @@ impl<'a> Names<'a> {
 
     /// The layers that are written.
     pub(super) fn layers(&self) -> impl Iterator<Item = &'a Layer> + '_ {
-        self.kinds.iter().flat_map(|names| names.layers.iter().flatten().map(|(layer, _)| *layer))
+        self.kinds.iter().flat_map(|names| names.layers.iter().flatten().map(|named| named.layer))
     }
 
     /// The losses of names that a statement has to spell otherwise.
     pub(super) fn losses(&self) -> impl Iterator<Item = Loss> + '_ {
         self.kinds.iter().zip(&KINDS).filter_map(|(names, kind)| {
-            let mut pools: Vec<&[Vec<u8>]> = names.layers.iter().flatten().map(|(_, pool)| *pool).collect();
+            let mut pools: Vec<&[Vec<u8>]> = names.layers.iter().flatten().map(|named| named.pool).collect();
             pools.truncate(if names.is_shared { 1 } else { NAMED.len() });
             let is_other = |name: &&Vec<u8>| *spelled(kind, name) != name[..];
             let other = pools.into_iter().flatten().filter(is_other).count();
@@ -67,7 +74,7 @@ impl<'a> Names<'a> {
 impl NamesOfKind<'_> {
     #[inline]
     fn before(&mut self, which: usize, element: usize, kind: &Kind, sink: &mut Sink<'_>) {
-        let next = self.layers[which].and_then(|(layer, _)| Some((which, layer.value_of(element)?)));
+        let next = self.layers[which].and_then(|named| Some((which, named.layer.value_of(element)?)));
         if next == self.current {
             return;
         }
@@ -93,7 +100,7 @@ impl NamesOfKind<'_> {
     }
 
     fn name(&self, (which, value): (usize, usize)) -> Option<&[u8]> {
-        self.layers[which].map(|(_, pool)| &pool[value][..])
+        self.layers[which].map(|named| &named.pool[value][..])
     }
 }
 
