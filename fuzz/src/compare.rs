@@ -1,6 +1,6 @@
 //! What two meshes have in common, where numbers are the same when they are equal to the bit or both no number.
 
-use meshmend_core::{Domain, Layer, PolygonMesh};
+use meshmend_core::{Layer, PolygonMesh};
 use meshmend_testkit::laws::{layer_entries, number_key};
 
 /// The points of a mesh, comparable.
@@ -30,11 +30,7 @@ pub(crate) fn assert_well_formed(mesh: &PolygonMesh) {
     }
     assert!(mesh.loose_edges().iter().flatten().chain(mesh.loose_points()).all(|v| exists(v.0)));
     for layer in mesh.layers() {
-        let elements = match layer.domain() {
-            Domain::Vertex => counts.vertices,
-            Domain::Corner => counts.corners,
-            Domain::Face => counts.faces,
-        };
+        let elements = mesh.element_count(layer.domain());
         assert_eq!(layer.element_count(), elements, "elements of layer {:?}", layer.name());
         assert_eq!(layer_entries(layer).len(), elements);
     }

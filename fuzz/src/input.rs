@@ -137,12 +137,7 @@ const NAMES: [&str; 14] = [
 fn layer(u: &mut Unstructured<'_>, mesh: &PolygonMesh) -> Result<Layer> {
     let name = *u.choose(&NAMES)?;
     let domain = *u.choose(&[Domain::Vertex, Domain::Corner, Domain::Face])?;
-    let counts = mesh.counts();
-    let elements = match domain {
-        Domain::Vertex => counts.vertices,
-        Domain::Corner => counts.corners,
-        Domain::Face => counts.faces,
-    };
+    let elements = mesh.element_count(domain);
     let width = u.int_in_range(1..=4usize)?;
     let is_direct: bool = u.arbitrary()?;
     let pool = if is_direct { elements } else { u.int_in_range(0..=3usize)? };
