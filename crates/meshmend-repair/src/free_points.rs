@@ -66,11 +66,11 @@ pub struct Clearance {
 /// What becomes of vertices that no face uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unused {
-    /// They go, so that a new vertex may take their place.
-    #[default]
-    Removed,
     /// They are part of the result.
+    #[default]
     Kept,
+    /// They go, so that a new vertex may take their place.
+    Removed,
 }
 
 /// The vertices of the result so far, and where there is room beside them.
@@ -258,7 +258,7 @@ mod tests {
     const ENDS: [Point; 2] = [[0.0; 3], [8.0, 4.0, 4.0]];
 
     fn clearance(precision: Precision, tolerance: f64) -> Clearance {
-        Clearance { precision, tolerance, unused: Unused::Removed }
+        Clearance { precision, tolerance, unused: Unused::Kept }
     }
 
     fn beside(clearance: Clearance, vertices: &[Point]) -> FreePoints {

@@ -45,7 +45,7 @@ pub use free_points::{Clearance, Precision, Unused};
 pub use mended::Mended;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};
 pub use pass::{Context, History, Outcome, Pass, PassError};
-pub use pipeline::{PassRecord, Pipeline, RemovedFace, Repaired};
+pub use pipeline::{FaceStorage, PassRecord, Pipeline, RemovedFace, Repaired};
 pub use plan::{Plan, PlanError};
 pub use recompute::Recompute;
 pub use registry::{AnyPass, PassKind};

@@ -1,5 +1,6 @@
 //! Passes one after another, with one record of all that was done.
 
+mod rounds;
 mod run;
 
 use std::sync::atomic::AtomicBool;
@@ -8,6 +9,7 @@ use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Provenance};
 use meshmend_kernels::KernelKind;
 use meshmend_topology::{TopologyReport, Witness};
 
+pub use self::rounds::FaceStorage;
 use self::run::Run;
 use crate::figures::Figures;
 use crate::{
@@ -35,6 +37,7 @@ pub struct Pipeline {
     kernel: KernelKind,
     takes_figures: bool,
     precision: Precision,
+    faces: FaceStorage,
 }
 
 impl Default for Pipeline {
@@ -57,6 +60,9 @@ pub struct Repaired {
     pub removed_faces: Vec<RemovedFace>,
     /// The topology of the result, if the last pass was `recompute`.
     pub report: Option<Box<TopologyReport>>,
+    /// How many vertices were joined to others and are apart again in the result, each in its own place: that is no
+    /// change.
+    pub stitched: usize,
 }
 
 /// A stored face of which nothing is left.
@@ -85,6 +91,22 @@ pub struct PassRecord {
     pub figures: Option<[Figures; 2]>,
     /// What cutting non-orientable patches open took, where it did.
     pub seam: Option<SeamFigures>,
+}
+
+impl Repaired {
+    /// Whether what is written differs from what was read, apart from the format.
+    pub fn is_changed(&self) -> bool {
+        self.passes.iter().any(|pass| pass.is_changed)
+    }
+
+    /// Takes note of what a writer makes of the result, where that stores vertices otherwise than the result does. If it
+    /// is what was read, nothing was changed.
+    pub fn note_written(&mut self, stored: &PolygonMesh, written: &PolygonMesh) {
+        if self.is_changed() && FaceStorage::Indexed.are_alike(stored, written) {
+            run::forget_changes(&mut self.passes);
+            self.stitched += written.counts().vertices.saturating_sub(self.mesh.counts().vertices);
+        }
+    }
 }
 
 impl Pipeline {
@@ -117,6 +139,7 @@ impl Pipeline {
             kernel: KernelKind::default(),
             takes_figures: false,
             precision: Precision::Double,
+            faces: FaceStorage::Indexed,
         }
     }
 
@@ -134,6 +157,11 @@ impl Pipeline {
     /// then put where they are not rounded onto another one.
     pub fn in_precision(self, precision: Precision) -> Self {
         Pipeline { precision, ..self }
+    }
+
+    /// The pipeline making a result whose faces are stored this way: what it leaves is final when it is read again.
+    pub fn storing(self, faces: FaceStorage) -> Self {
+        Pipeline { faces, ..self }
     }
 
     /// The passes, in order.
@@ -159,7 +187,7 @@ impl Pipeline {
         cancel: Option<&AtomicBool>,
         observe: impl FnMut(PassKind),
     ) -> Result<Repaired, PassError> {
-        self.run_passes(&self.passes, Run::begin(mesh, self.takes_figures), cancel, observe)
+        self.run_all(&self.passes, Run::begin(mesh, self.takes_figures), cancel, observe)
     }
 
     /// Repairs a mesh that was looked at before, as [`run_watched`](Self::run_watched) does. What was found out then and is
@@ -186,16 +214,29 @@ impl Pipeline {
             }
             _ => {}
         }
-        self.run_passes(passes, run, cancel, observe)
+        self.run_all(passes, run, cancel, observe)
     }
 
-    fn run_passes(
+    fn run_all(
         &self,
         passes: &[AnyPass],
         mut run: Run,
         cancel: Option<&AtomicBool>,
-        mut observe: impl FnMut(PassKind),
+        observe: impl FnMut(PassKind),
     ) -> Result<Repaired, PassError> {
+        self.run_round(passes, &mut run, cancel, observe)?;
+        let run = self.settled(run, cancel)?;
+        self.check_promises(&run)?;
+        Ok(run.finish(self.faces))
+    }
+
+    fn run_round<'a>(
+        &self,
+        passes: impl IntoIterator<Item = &'a AnyPass>,
+        run: &mut Run,
+        cancel: Option<&AtomicBool>,
+        mut observe: impl FnMut(PassKind),
+    ) -> Result<(), PassError> {
         for pass in passes {
             observe(pass.kind());
             if let AnyPass::Weld(weld) = pass {
@@ -209,12 +250,11 @@ impl Pipeline {
             let outcome = pass.as_pass().apply(&run.mesh, &context)?;
             run.record(pass.kind(), outcome);
         }
-        self.check_promises(&run)?;
-        Ok(run.finish())
+        Ok(())
     }
 
-    /// What created vertices keep clear of, when vertices within a tolerance were joined.
-    fn clearance(&self, tolerance: f64) -> Clearance {
+    /// What the vertices that its passes create keep clear of, when vertices within a tolerance were joined.
+    pub fn clearance(&self, tolerance: f64) -> Clearance {
         let removes_all =
             |pass: &AnyPass| matches!(pass, AnyPass::Compact(compact) if *compact == Compact::default());
         let unused = if self.passes.iter().any(removes_all) { Unused::Removed } else { Unused::Kept };

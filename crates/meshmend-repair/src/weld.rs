@@ -81,7 +81,9 @@ impl Pass for Weld {
 
 impl Weld {
     /// How far apart vertices of a mesh may be that are joined; 0 if only those in one place are.
-    pub(crate) fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
+    ///
+    /// *Cost*: linear where the distance is relative, else constant.
+    pub fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
         match self.distance {
             Distance::Exact => 0.0,
             Distance::Absolute(epsilon) => epsilon,

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test stops where it fails")]
 
-use meshmend_repair::{Distance, Pipeline, Plan, Repaired, TriangulateFaces};
+use meshmend_repair::{
+    Distance, FaceStorage, PassKind, Pipeline, Plan, Repaired, Side, SplitEdges, TriangulateFaces,
+};
 use meshmend_testkit::{Soup, oracle};
 
 /// The default plan with some of its options changed.
@@ -27,6 +29,8 @@ fn final_repair(pipeline: &Pipeline, soup: &Soup) -> Repaired {
     let twice = pipeline.run(&once.mesh).unwrap();
     assert_eq!(twice.mesh.faces(), once.mesh.faces());
     assert_eq!(bits(&twice), bits(&once));
+    assert!(!twice.is_changed(), "{:?}", twice.passes);
+    assert!(twice.provenance.is_same() && twice.removed_faces.is_empty());
     once
 }
 
@@ -89,4 +93,90 @@ fn a_created_vertex_has_a_place_of_its_own_however_short_the_edge_is() {
         );
         final_repair(&Pipeline::default(), &tiny);
     }
+}
+
+/// A cracked tetrahedron and a loose triangle upon one of its faces, which is its double once the solid is turned.
+#[test]
+fn what_is_turned_outward_and_repeats_another_face_goes_at_once() {
+    let cracked = soup(
+        &[
+            [2.0, 1.0, 0.0],
+            [2.0, 2.0, 0.0],
+            [0.0, 2.0, 0.0],
+            [1.0, 0.0, 1.0],
+            [1.0, 0.0, 1.0],
+            [2.0, 2.0, 0.0],
+            [2.0, 2.0, 0.0],
+        ],
+        &[&[2, 4, 0], &[3, 5, 0], &[2, 6, 0], &[2, 0, 1], &[3, 2, 1]],
+    );
+    for side in [Side::Outward, Side::OutwardNested] {
+        for pass in [None, Some(PassKind::Triangulate), Some(PassKind::Compact)] {
+            let plan = pass.map_or_else(Plan::default, |pass| Plan::default().without(pass));
+            let plan = Plan { orient: meshmend_repair::Orient { side, ..Default::default() }, ..plan };
+            let once = final_repair(&plan.pipeline(), &cracked);
+            assert_eq!((once.mesh.counts().faces, once.removed_faces.len()), (4, 1));
+        }
+    }
+}
+
+/// What `pinch-only` leaves is oriented over the patches that are left.
+#[test]
+fn pinched_vertices_come_apart_and_the_faces_that_are_left_agree() {
+    let pinched = soup(
+        &[
+            [4.0, 4.0, 0.0],
+            [2.0, 4.0, 0.0],
+            [1.0, 4.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [2.0, 4.0, 0.0],
+            [3.0, 3.0, 0.0],
+        ],
+        &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 4], &[0, 4, 5], &[4, 5, 2]],
+    );
+    let once = final_repair(&plan(|plan| plan.split.edges = SplitEdges::PinchOnly).pipeline(), &pinched);
+    let report = oracle::report(&Soup::of_mesh(&once.mesh));
+    assert!(report.orientable && report.consistently_oriented, "{report:?}");
+}
+
+/// Two faces that are the same as welded, and the same as stored once that is stored.
+#[test]
+fn faces_that_become_the_same_as_stored_go_at_once() {
+    let doubled = soup(&[[1.0; 3], [1.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]], &[&[3, 2, 0], &[2, 1, 3]]);
+    let once = final_repair(&Plan::default().without(PassKind::Orient).pipeline(), &doubled);
+    assert_eq!(once.mesh.counts().faces, 1);
+    let far = soup(
+        &[
+            [1000002.0, -999998.0, 0.0],
+            [1000001.0, -999999.0, 0.0],
+            [1000000.0, -1000000.0, 1.0],
+            [1000001.0, -999999.0, 1.0],
+            [1000002.0, -1000000.0, 1.0],
+            [1000002.0, -1000000.0, 1.0],
+        ],
+        &[&[5, 1, 2], &[5, 0, 3], &[1, 2, 0], &[5, 3, 1], &[4, 0, 1]],
+    );
+    final_repair(&Plan::default().without(PassKind::Split).pipeline(), &far);
+}
+
+/// A closed solid that touches another one is stored apart from it, and is so the second time: nothing is changed, and
+/// the vertices that welding joins and `split` takes apart again are told as stitched.
+#[test]
+fn what_is_stitched_and_comes_apart_again_is_no_change() {
+    let tetrahedron: [&[u32]; 4] = [&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]];
+    let mut two = soup(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], &tetrahedron);
+    let second = tetrahedron.map(|face| face.iter().map(|v| v + 4).collect::<Vec<u32>>());
+    two.faces.extend(second);
+    two.positions.extend(two.positions.clone().into_iter().map(|p| p.map(|x| -x)));
+    let once = Pipeline::default().run(&two.mesh()).unwrap();
+    assert_eq!((once.is_changed(), once.stitched), (false, 1));
+    assert!(once.passes.iter().all(|pass| !pass.is_changed && pass.mended.is_empty()));
+    // Each face with points of its own, as STL stores it.
+    let apart = Soup {
+        positions: two.faces.iter().flatten().map(|&v| two.positions[v as usize]).collect(),
+        faces: (0..8).map(|f| vec![3 * f, 3 * f + 1, 3 * f + 2]).collect(),
+    };
+    let stl = Pipeline::default().storing(FaceStorage::Apart).run(&apart.mesh()).unwrap();
+    assert_eq!((stl.is_changed(), stl.stitched, stl.mesh.counts().vertices), (false, 17, 8));
+    assert!(Pipeline::default().run(&apart.mesh()).unwrap().is_changed());
 }

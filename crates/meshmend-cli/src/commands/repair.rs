@@ -4,10 +4,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use meshmend::io::replace_file;
+use meshmend::io::{Prepared, replace_file};
+use meshmend::repair::FaceStorage;
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
-    CheckOptions, CheckReport, Examined, KernelKind, PassKind, PolygonMesh, ReadFile, Repaired, View,
+    CheckOptions, CheckReport, Examined, Format, KernelKind, PassKind, PolygonMesh, ReadFile, Repaired, View,
     WriteOptions, check, check_before_repair,
 };
 
@@ -63,6 +64,27 @@ struct Target<'a> {
     options: WriteOptions,
 }
 
+impl Target<'_> {
+    /// Tells a repair how its result will be written, where a format may store vertices more than once for their
+    /// attributes.
+    fn tell(&self, stored: &PolygonMesh, repaired: &mut Repaired) {
+        if !repaired.is_changed() || repaired.mesh.layers().is_empty() {
+            return;
+        }
+        if let Ok(prepared) = Prepared::new(&repaired.mesh, &self.options) {
+            repaired.note_written(stored, prepared.mesh());
+        }
+    }
+}
+
+/// How a format stores faces.
+fn storage(format: Option<Format>) -> FaceStorage {
+    match format {
+        Some(format) if !format.holds_polygons() => FaceStorage::Apart,
+        _ => FaceStorage::Indexed,
+    }
+}
+
 impl Repair {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let target = self.target()?;
@@ -71,7 +93,7 @@ impl Repair {
             Some(format) if !format.holds_polygons() => self.policies.plan_for_triangles()?,
             _ => self.policies.plan()?,
         };
-        let pipeline = plan.pipeline().on_kernel(self.kernel);
+        let pipeline = plan.pipeline().on_kernel(self.kernel).storing(storage(format));
         let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
         self.check_report_options()?;
 
@@ -88,6 +110,9 @@ impl Repair {
         };
         let mut repaired = run.map_err(failed)?;
         progress.step("report");
+        if let Some(target) = &target {
+            target.tell(&file.mesh, &mut repaired);
+        }
         let mut document = RepairDocument::new(&file.mesh, &repaired, self.limit);
         document.file = Some(name(&self.input));
         document.before = before;

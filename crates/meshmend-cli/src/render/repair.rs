@@ -42,6 +42,7 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
         (document.removed_faces.count, "faces removed"),
         (document.flipped_faces.count, "faces flipped"),
         (document.created_vertices.count, "vertices created"),
+        (document.stitched, "vertices stitched"),
         ((before.loose_edges - after.loose_edges.min(before.loose_edges)) as u64, "loose edges removed"),
         ((before.loose_points - after.loose_points.min(before.loose_points)) as u64, "loose points removed"),
         (document.losses.len() as u64, "losses in the output"),
@@ -49,7 +50,7 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
     ];
     let changes = changes.into_iter().filter(|&(count, _)| count > 0);
     parts.extend(changes.map(|(count, what)| format!("{what}: {count}")));
-    if !document.passes.iter().any(|pass| pass.changed) {
+    if !document.changed {
         parts.push("nothing to mend".to_owned());
     }
     match (before.faces, after.faces) {

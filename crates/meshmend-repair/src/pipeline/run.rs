@@ -1,17 +1,19 @@
 //! What a pipeline has done so far.
 
-use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh};
+use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh, Provenance, VertexId};
 use meshmend_topology::TopologyReport;
 
-use super::{PassRecord, RemovedFace, Repaired};
+use super::{FaceStorage, PassRecord, RemovedFace, Repaired};
 use crate::figures::Figures;
-use crate::{History, Outcome, PassKind};
+use crate::{History, Mended, Outcome, PassKind};
 
 /// A pipeline under way.
 pub(super) struct Run {
     pub(super) mesh: PolygonMesh,
     pub(super) history: History,
     pub(super) passes: Vec<PassRecord>,
+    /// Where the records of the last round begin.
+    round: usize,
     removed_faces: Vec<RemovedFace>,
     pub(super) report: Option<Box<TopologyReport>>,
     /// The topology of the mesh, if it was known before the pipeline looked at it.
@@ -31,6 +33,7 @@ impl Run {
             mesh: stored.detached(),
             history: History::begin(stored),
             passes: Vec::new(),
+            round: 0,
             removed_faces: Vec::new(),
             report: None,
             known: None,
@@ -61,6 +64,30 @@ impl Run {
         });
     }
 
+    /// The mesh as stored.
+    pub(super) fn stored(&self) -> &PolygonMesh {
+        self.history.stored()
+    }
+
+    /// What the passes did in the last round.
+    pub(super) fn last_round(&self) -> &[PassRecord] {
+        &self.passes[self.round..]
+    }
+
+    /// Takes over what one more round did to the mesh as it was read again.
+    pub(super) fn follow(&mut self, (read, reading): (&PolygonMesh, &Provenance), next: Run) {
+        let history = self.history.extended(reading, read);
+        let as_stored = |removed: RemovedFace| {
+            Some(RemovedFace { face: history.provenance().faces.of(removed.face)?, ..removed })
+        };
+        self.removed_faces.extend(next.removed_faces.into_iter().filter_map(as_stored));
+        self.history = history.extended(next.history.provenance(), &next.mesh);
+        self.round = self.passes.len();
+        self.passes.extend(next.passes);
+        self.figures.extend(next.figures);
+        (self.mesh, self.report) = (next.mesh, next.report);
+    }
+
     /// The figures of the present mesh, if they are asked for.
     fn figures(&self) -> Option<Figures> {
         let report = self.report.as_deref().or(self.known.as_ref());
@@ -87,7 +114,10 @@ impl Run {
     }
 
     /// All that was done.
-    pub(super) fn finish(mut self) -> Repaired {
+    pub(super) fn finish(mut self, storage: FaceStorage) -> Repaired {
+        let has_changed = self.passes.iter().any(|record| record.is_changed);
+        let is_same = has_changed && storage.are_alike(self.stored(), &self.mesh);
+        let stitched = if has_changed { self.stitched(storage) } else { 0 };
         self.figures.extend(self.figures());
         if self.takes_figures {
             let mut changes = 0;
@@ -104,7 +134,54 @@ impl Run {
         removed_faces.retain(|removed| !survives[removed.face.0 as usize]);
         removed_faces.sort_by_key(|removed| removed.face);
         removed_faces.dedup_by_key(|removed| removed.face);
-        Repaired { mesh: self.mesh, provenance, passes: self.passes, removed_faces, report: self.report }
+        let Run { mut mesh, mut passes, report, .. } = self;
+        let mut provenance = provenance;
+        if is_same {
+            forget_changes(&mut passes);
+            if storage == FaceStorage::Indexed {
+                mesh = self.history.stored().clone();
+                provenance = Provenance::same(mesh.counts());
+            }
+        }
+        Repaired { mesh, provenance, passes, removed_faces, report, stitched }
+    }
+
+    /// How many vertices the first pass joined to others that are apart from them in the result.
+    fn stitched(&self, storage: FaceStorage) -> usize {
+        let Some(weld) = self.passes.first() else { return 0 };
+        let joined_to = weld.mended.joined_to();
+        let is_split = self.passes.iter().any(|record| record.pass == PassKind::Split && record.is_changed);
+        if joined_to.is_empty() || (storage == FaceStorage::Indexed && !is_split) {
+            return 0;
+        }
+        let provenance = self.history.provenance();
+        if storage == FaceStorage::Apart
+            && provenance.corners.is_all_of(provenance.before.corners)
+            && provenance.before.vertices == provenance.before.corners
+        {
+            // Every vertex as stored has a corner of its own, and all are there.
+            return weld.mended.len();
+        }
+        let stays: Vec<bool> = match storage {
+            FaceStorage::Indexed => provenance.vertices.survivors(joined_to.len()),
+            FaceStorage::Apart => {
+                let mut stays = vec![false; joined_to.len()];
+                let corners = provenance.corners.iter().filter_map(|(_, stored)| stored);
+                corners.for_each(|c| stays[self.stored().faces().corner_vertex(c).index()] = true);
+                stays
+            }
+        };
+        let is_joined = |(v, low): (usize, &VertexId)| low.index() != v && stays[v];
+        joined_to.iter().enumerate().filter(|&at| is_joined(at)).count()
+    }
+}
+
+/// The records of passes that together changed nothing.
+pub(super) fn forget_changes(passes: &mut [PassRecord]) {
+    let last = passes.last().and_then(|record| record.figures);
+    for record in passes {
+        (record.is_changed, record.mended, record.seam) = (false, Mended::default(), None);
+        record.figures = last.map(|[_, after]| [after; 2]);
     }
 }
 

@@ -212,7 +212,8 @@ impl Change<'_> {
         Ok(())
     }
 
-    /// Whether a created vertex lies in the box of the corners that the record puts it between.
+    /// Whether a created vertex lies in the box of the corners that the record puts it between, or beside that box
+    /// along one axis: where no point within is free it is moved along one.
     fn is_between(&self, vertex: VertexId, place: Option<Blend>) -> Result<(), String> {
         let (found, old) = (self.after.position(vertex), self.before.faces());
         let point = |corner: CornerId| self.before.position(old.corner_vertex(corner));
@@ -235,7 +236,7 @@ impl Change<'_> {
             let slack = (low.abs() + high.abs()) * 1e-12;
             !found[axis].is_finite() || (low - slack <= found[axis] && found[axis] <= high + slack)
         };
-        if (0..3).all(is_within) {
+        if (0..3).filter(|&axis| !is_within(axis)).count() <= 1 {
             Ok(())
         } else {
             Err(format!("{vertex} is at {found:?}, outside {corners:?}"))

@@ -21,6 +21,10 @@ pub struct RepairDocument {
     pub output: Option<String>,
     /// What the reader had to say about the file.
     pub notes: Vec<Note>,
+    /// Whether what is written differs from what was read, apart from the format.
+    pub changed: bool,
+    /// How many vertices were joined to others and are apart again in the result, each in its own place.
+    pub stitched: u64,
     /// What was stored, and what the result stores.
     pub stored: BeforeAndAfter,
     /// The mesh before, if it was looked at.
@@ -133,6 +137,8 @@ impl RepairDocument {
             file: None,
             output: None,
             notes: Vec::new(),
+            changed: repaired.is_changed(),
+            stitched: repaired.stitched as u64,
             stored: BeforeAndAfter {
                 before: StoredCounts::of(stored),
                 after: StoredCounts::of(&repaired.mesh),
