@@ -244,6 +244,7 @@ fn any_plan(u: &mut Unstructured<'_>) -> Result<Plan> {
             side: *u.choose(&[Side::Majority, Side::Outward, Side::OutwardNested])?,
             non_orientable: *u.choose(&[Report, Cut, Report, Cut, Report, Fail])?,
             duplicates: *u.choose(&[Duplicates::Keep, Duplicates::RemovePair, Duplicates::KeepFirst])?,
+            ..Orient::default()
         },
         split: Split {
             edges: *u.choose(&[SplitEdges::Sheets, SplitEdges::Cut, SplitEdges::PinchOnly])?,

@@ -92,6 +92,7 @@ impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         let status = match error.kind {
             WriteErrorKind::UnknownFormat | WriteErrorKind::NoSuchEncoding { .. } => Status::Usage,
+            WriteErrorKind::Seams { .. } => Status::Refused,
             _ => Status::Unwritable,
         };
         Failure { status, message: error.to_string() }

@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use meshmend::repair::{
     Duplicates, LooseElements, NonFinite, NonOrientable, Side, SplitEdges, TriangulateFaces,
 };
-use meshmend::{PassKind, Plan};
+use meshmend::{FlippedNormals, PassKind, Plan};
 
 use crate::failure::Failure;
 use crate::words::{self, Welding};
@@ -41,6 +41,9 @@ pub(crate) struct Policies {
     /// Faces that are there once in each direction
     #[arg(long, value_enum)]
     duplicates: Option<DuplicatesWord>,
+    /// Stored normals of faces that are turned round
+    #[arg(long, value_enum)]
+    flipped_normals: Option<FlippedNormalsWord>,
     /// Edges with three faces or more, and pinched vertices
     #[arg(long, value_enum)]
     split: Option<SplitWord>,
@@ -101,6 +104,14 @@ enum DuplicatesWord {
     RemovePair,
     /// Keep the first of each group
     KeepFirst,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum FlippedNormalsWord {
+    /// Turn them too, and the handedness of tangents with them
+    Negate,
+    /// Keep them
+    Keep,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -188,7 +199,9 @@ impl Policies {
         let side = match self.orient {
             Some(OrientWord::Off) => {
                 let idle = self.non_orientable.map(|_| "--non-orientable");
-                return left_out(plan, PassKind::Orient, idle.or(self.duplicates.map(|_| "--duplicates")));
+                let idle = idle.or(self.duplicates.map(|_| "--duplicates"));
+                let idle = idle.or(self.flipped_normals.map(|_| "--flipped-normals"));
+                return left_out(plan, PassKind::Orient, idle);
             }
             Some(OrientWord::Majority) => Some(Side::Majority),
             Some(OrientWord::Outward) => Some(Side::Outward),
@@ -203,6 +216,12 @@ impl Policies {
                 NonOrientableWord::Report => NonOrientable::Report,
                 NonOrientableWord::Cut => NonOrientable::Cut,
                 NonOrientableWord::Fail => NonOrientable::Fail,
+            };
+        }
+        if let Some(word) = self.flipped_normals {
+            with(&mut plan, PassKind::Orient).orient.flipped_normals = match word {
+                FlippedNormalsWord::Negate => FlippedNormals::Negate,
+                FlippedNormalsWord::Keep => FlippedNormals::Keep,
             };
         }
         if let Some(word) = self.duplicates {
@@ -328,6 +347,8 @@ mod tests {
         let doubled =
             ["keep", "remove-pair", "keep-first"].map(|word| with("--duplicates", word).orient.duplicates);
         assert_eq!(doubled, [Duplicates::Keep, Duplicates::RemovePair, Duplicates::KeepFirst]);
+        let normals = ["negate", "keep"].map(|word| with("--flipped-normals", word).orient.flipped_normals);
+        assert_eq!(normals, [FlippedNormals::Negate, FlippedNormals::Keep]);
         let edges = ["sheets", "cut", "pinch-only"].map(|word| with("--split", word).split.edges);
         assert_eq!(edges, [SplitEdges::Sheets, SplitEdges::Cut, SplitEdges::PinchOnly]);
         let faces = ["auto", "all"].map(|word| with("--triangulate", word).triangulate.faces);
@@ -351,6 +372,7 @@ mod tests {
     fn an_option_of_a_pass_that_is_off_is_refused() {
         assert!(plan(&["--clean", "off", "--non-finite", "fail"]).is_err());
         assert!(plan(&["--orient", "off", "--duplicates", "keep"]).is_err());
+        assert!(plan(&["--orient", "off", "--flipped-normals", "keep"]).is_err());
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Words of the command line that stand for values of the library.
 
 use clap::ValueEnum;
+use meshmend::io::AttributePrecision;
 use meshmend::shapes::{GENERATORS, Generator};
-use meshmend::{DefectKind, Distance, Encoding, Format, KernelKind, View, WriteOptions};
+use meshmend::{DefectKind, Distance, Encoding, Format, KernelKind, Seams, View, WriteOptions};
 
 use crate::failure::Failure;
 
@@ -97,9 +98,27 @@ pub(crate) struct OutputWords {
     /// The format of the output, whatever its name
     #[arg(long = "to", value_name = "FORMAT", value_parser = format)]
     format: Option<Format>,
-    /// How the output spells its numbers
+    /// How the output spells its numbers; by default as the input does, if it has the same format
     #[arg(long, value_enum)]
     encoding: Option<EncodingWord>,
+    /// How a vertex is written whose attributes differ from face to face
+    #[arg(long, value_enum, default_value = "split")]
+    seams: SeamsWord,
+    /// Write texture coordinates, normals and colours of another format in double precision, though many programs don't
+    /// read that
+    #[arg(long)]
+    keep_double: bool,
+}
+
+/// How a vertex is written whose attributes differ from face to face, where the format has them at the vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum SeamsWord {
+    /// As several vertices at one place, as other programs expect it
+    Split,
+    /// As one vertex, with lists of values for the corners in PLY, which few other programs read
+    Corners,
+    /// Give up
+    Fail,
 }
 
 impl OutputWords {
@@ -112,13 +131,22 @@ impl OutputWords {
             failed(format!("the name tells no format that can be written; known are {}", names.join(", ")))
         })?;
         let encoding = match self.encoding {
-            None => format.encodings().first().copied(),
+            None => None,
             Some(word) => Some(word.of(format).ok_or_else(|| {
                 let known: Vec<&str> = format.encodings().iter().map(|encoding| encoding.name()).collect();
                 failed(format!("{format} has no such encoding; it has {}", known.join(", ")))
             })?),
         };
-        Ok(WriteOptions { encoding, ..WriteOptions::of(format) })
+        let seams = match self.seams {
+            SeamsWord::Split => Seams::Split,
+            SeamsWord::Corners => Seams::Corners,
+            SeamsWord::Fail => Seams::Fail,
+        };
+        let precision = match self.keep_double {
+            true => AttributePrecision::Double,
+            false => AttributePrecision::AsExpected,
+        };
+        Ok(WriteOptions { encoding, seams, precision, ..WriteOptions::of(format) })
     }
 }
 
@@ -136,8 +164,8 @@ impl EncodingWord {
 
 /// What readers call a file that is written so.
 pub(crate) fn variant(options: &WriteOptions) -> Option<&'static str> {
-    let encoding = options.encoding.unwrap_or(Encoding::Ascii);
-    Some(match (options.format?, encoding) {
+    let (format, encoding) = options.resolved().ok()?;
+    Some(match (format, encoding) {
         (Format::Obj, _) => "obj",
         (Format::Off, _) => "off",
         (Format::Ply, Encoding::Ascii) => "ply-ascii",

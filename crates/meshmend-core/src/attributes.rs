@@ -104,6 +104,12 @@ impl Layer {
         Layer { role, ..self }
     }
 
+    /// The layer with another pool, in which each value stands for the one at its place: the same values in another type or
+    /// width. A mesh refuses a layer whose pool is too short.
+    pub fn with_pool(self, width: usize, values: Values) -> Self {
+        Layer { width: width.max(1), values: Arc::new(values), ..self }
+    }
+
     /// What the layer is called, such as `texcoord`, `normal`, `color`, `material` or `group`.
     pub fn name(&self) -> &str {
         &self.name
@@ -153,6 +159,11 @@ impl Layer {
         }
     }
 
+    /// Whether two elements have the same value to the bit, or both none.
+    pub fn agree(&self, one: usize, other: usize) -> bool {
+        self.same_value(self.use_of(one), self.use_of(other))
+    }
+
     /// Whether element `i` uses value `i`, for each element.
     pub fn is_direct(&self) -> bool {
         self.uses.is_none()
@@ -188,9 +199,9 @@ impl Layer {
         self.values.cmp_bits(one as usize * width, other as usize * width, width)
     }
 
-    /// The layer as one of vertices that is at the corners for now. Vertices without a corner have no value unless the
-    /// layer knows one.
-    pub(crate) fn at_home_on_vertices(self, vertex_count: usize) -> Self {
+    /// A layer of corners as one of vertices that is at the corners for now, and returns when no vertex has corners that
+    /// differ. Vertices without a corner have no value unless the layer knows one.
+    pub fn at_home_on_vertices(self, vertex_count: usize) -> Self {
         let no_values = || Arc::new(vec![NO_VALUE; vertex_count]);
         let vertex_uses = Some(self.vertex_uses.clone().unwrap_or_else(no_values));
         Layer { home: Domain::Vertex, vertex_uses, ..self }

@@ -1,6 +1,6 @@
 //! What the values of a layer mean, and what follows from that when a face is turned round.
 //!
-//! A pass never sees a layer, and a layer's name decides nothing: readers give roles, and
+//! A pass never sees a layer: readers give roles, and
 //! [`PolygonMesh::rebuild`](crate::PolygonMesh::rebuild) asks the one table here.
 
 use serde::{Deserialize, Serialize};

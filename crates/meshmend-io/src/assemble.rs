@@ -1,7 +1,8 @@
 //! What all readers do last: check every index once, and put the parts together.
 
-use meshmend_core::{FaceTableBuilder, Layer, MeshError, Metadata, PolygonMesh, VertexId};
+use meshmend_core::{FaceTableBuilder, Layer, MeshError, Metadata, PolygonMesh, Role, VertexId};
 
+use crate::layers::is_numeric;
 use crate::note::Notes;
 use crate::read::Source;
 use crate::{Limits, NoteKind, Place, ReadError};
@@ -93,9 +94,22 @@ impl Parts {
         let failed = |error: MeshError| source.malformed(Place::File, error.to_string());
         let mesh = PolygonMesh::new(self.positions, faces).map_err(failed)?;
         let mesh = mesh.with_loose(self.loose_edges, self.loose_points).map_err(failed)?;
-        let mesh = mesh.with_layers(self.layers).map_err(failed)?;
+        let layers = self.layers.into_iter().map(with_usual_role).collect();
+        let mesh = mesh.with_layers(layers).map_err(failed)?;
         Ok((mesh.with_metadata(self.metadata), self.notes))
     }
+}
+
+/// A layer with the role that its name and width have in every format that is read.
+fn with_usual_role(layer: Layer) -> Layer {
+    let role = match (layer.name(), layer.width()) {
+        _ if !is_numeric(&layer) || layer.role() != Role::Plain => layer.role(),
+        ("normal", 3) => Role::Normal,
+        ("texcoord", _) => Role::TexCoord,
+        ("color", 3 | 4) => Role::Color,
+        (_, _) => Role::Plain,
+    };
+    layer.with_role(role)
 }
 
 /// The reason when a file names a vertex that it does not hold.

@@ -2,6 +2,7 @@
 
 use std::{fmt, io};
 
+use meshmend_core::DraftError;
 use serde::Serialize;
 use thiserror::Error;
 
@@ -91,9 +92,26 @@ pub enum WriteErrorKind {
         /// The encoding that was asked for.
         encoding: Encoding,
     },
+    /// The mesh has vertices whose attributes differ from face to face, and the options say that such a mesh is not
+    /// written.
+    #[error("{}: seams are not to be written", seam_vertices(*vertices))]
+    Seams {
+        /// How many vertices.
+        vertices: u64,
+    },
+    /// The file would hold more elements than a mesh does.
+    #[error(transparent)]
+    TooLarge(#[from] DraftError),
     /// The system can't take the bytes.
     #[error("{0}")]
     Io(#[from] io::Error),
+}
+
+fn seam_vertices(count: u64) -> String {
+    match count {
+        1 => "1 vertex has attributes that differ from face to face".to_owned(),
+        _ => format!("{count} vertices have attributes that differ from face to face"),
+    }
 }
 
 fn shown(place: &Place) -> String {
@@ -112,11 +130,11 @@ fn known_formats() -> String {
 mod tests {
     use std::path::Path;
 
-    use meshmend_core::{FaceTable, PolygonMesh};
+    use meshmend_core::{Carry, Domain, FaceTable, Layer, MAX_CORNERS, PolygonMesh, Values, VertexId};
     use meshmend_testkit::assert_every_variant;
 
     use super::*;
-    use crate::{Limits, ReadOptions, WriteOptions, encode, read, read_bytes, write};
+    use crate::{Limits, ReadOptions, Seams, WriteOptions, encode, read, read_bytes, write};
 
     fn unread(bytes: &[u8], options: ReadOptions) -> ReadErrorKind {
         read_bytes(bytes, "mesh", &options).unwrap_err().kind
@@ -142,7 +160,12 @@ mod tests {
     #[test]
     fn every_reason_why_a_file_is_not_written_says_what_is_wrong() {
         let unknown = format!("the format is not known; known are {}", known_formats());
-        let mesh = PolygonMesh::new(Vec::new(), FaceTable::empty(0)).unwrap();
+        // A vertex that is red in one triangle and blue in the other.
+        let faces = FaceTable::triangles(5, [0, 1, 2, 0, 3, 4].map(VertexId).to_vec()).unwrap();
+        let mesh = PolygonMesh::new(vec![[0.0; 3]; 5], faces).unwrap();
+        let values = Values::U8(vec![255, 0, 0, 0, 0, 255]);
+        let color = Layer::indexed("color", Domain::Corner, 3, Carry::Copy, values, vec![0, 0, 0, 1, 1, 1]);
+        let mesh = mesh.with_layers(vec![color.at_home_on_vertices(5)]).unwrap();
         let unwritten = |options| encode(&mesh, &options, &mut io::sink()).unwrap_err().kind;
         let big = WriteOptions::of(Format::Obj).with_encoding(Encoding::BigEndian);
         let cases = vec![
@@ -152,8 +175,16 @@ mod tests {
                 write(Path::new("."), &mesh, &WriteOptions::of(Format::Off)).unwrap_err().kind,
                 "is a directory",
             ),
+            (
+                unwritten(WriteOptions { seams: Seams::Fail, ..WriteOptions::of(Format::Off) }),
+                "1 vertex has attributes that differ from face to face: seams are not to be written",
+            ),
+            (
+                DraftError::from(FaceTable::triangles(MAX_CORNERS, Vec::new()).unwrap_err()).into(),
+                "2147483648 vertices are more than the 2147483648 that a table holds",
+            ),
         ];
-        assert_every_variant!(cases, WriteErrorKind { UnknownFormat, NoSuchEncoding, Io });
+        assert_every_variant!(cases, WriteErrorKind { UnknownFormat, NoSuchEncoding, Seams, TooLarge, Io });
     }
 
     #[test]

@@ -59,7 +59,7 @@ pub(crate) struct Driver {
     /// from the rest, where all has to be at hand.
     pub(crate) read_blocks: fn(&Source<'_>, &mut dyn io::Read, &Limits) -> Option<ReadResult>,
     /// Makes a mesh what the format can hold, and names what that loses; every other mesh stays as it is.
-    pub(crate) prepare: fn(&mut Prepared),
+    pub(crate) prepare: fn(&mut Prepared) -> Result<(), WriteErrorKind>,
     pub(crate) encode: fn(&Prepared, &mut dyn io::Write) -> Result<(), WriteErrorKind>,
     /// What else the file won't carry.
     pub(crate) losses: fn(&Prepared) -> Vec<Loss>,

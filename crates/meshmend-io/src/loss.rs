@@ -43,6 +43,13 @@ pub enum LossKind {
     Metadata,
     /// Names are spelled otherwise, as the format has no way to write them.
     Names,
+    /// Vertices are written as several, as their attributes differ from face to face: the file is manifold by place, not by
+    /// index.
+    SeamVertices,
+    /// Elements that only the format of the input holds are left out.
+    Elements,
+    /// Elements that are carried as they were name vertices or faces by numbers that these have no longer.
+    StaleData,
 }
 
 impl Loss {

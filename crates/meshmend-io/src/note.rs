@@ -27,7 +27,7 @@ pub struct Note {
 pub enum NoteKind {
     /// A statement that is not understood was skipped.
     SkippedStatement,
-    /// An element or property that is not understood was skipped.
+    /// An element or property that is not understood was skipped, or is carried to files of the same format alone.
     SkippedElement,
     /// Content after the end of the data was skipped.
     SurplusData,

@@ -36,14 +36,15 @@ impl Prepared {
     /// Makes a mesh ready. The options must name a format.
     ///
     /// # Errors
-    /// When the options name no format, or an encoding that the format does not have.
+    /// When the options name no format, or an encoding that the format does not have, or say that a mesh with seams is not
+    /// to be written.
     ///
     /// *Cost*: O(1), unless the format needs the mesh to be changed.
     pub fn new(mesh: &PolygonMesh, options: &WriteOptions) -> Result<Self, WriteErrorKind> {
         let (format, encoding) = options.resolved()?;
         let (mesh, options) = (mesh.clone(), options.clone());
         let mut prepared = Prepared { mesh, format, encoding, options, losses: Vec::new() };
-        (format.driver().prepare)(&mut prepared);
+        (format.driver().prepare)(&mut prepared)?;
         Ok(prepared)
     }
 
@@ -68,6 +69,9 @@ impl Prepared {
     pub fn losses(&self) -> Vec<Loss> {
         let mut losses = self.losses.clone();
         losses.extend((self.format.driver().losses)(self));
+        if let (Some(Shape::Ply(shape)), true) = (self.shape(), self.format != Format::Ply) {
+            losses.extend(shape.table_losses());
+        }
         losses
     }
 

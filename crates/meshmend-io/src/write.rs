@@ -17,6 +17,35 @@ pub struct WriteOptions {
     pub encoding: Option<Encoding>,
     /// How the file that the mesh comes from was written; a file of the same format is written likewise.
     pub shell: Shell,
+    /// How a vertex is written whose attributes differ from corner to corner.
+    pub seams: Seams,
+    /// In which precision attributes from another format are written.
+    pub precision: AttributePrecision,
+}
+
+/// How a vertex is written whose attributes differ from corner to corner, where programs that read the format look for
+/// them at the vertices.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Seams {
+    /// As several vertices at one place, each with its own values.
+    #[default]
+    Split,
+    /// As one vertex; the values are written for each corner where the format has a way to do so, though other programs
+    /// may not look there, and are lost where it has none.
+    Corners,
+    /// Not at all: the mesh is not written.
+    Fail,
+}
+
+/// In which precision attributes from another format are written to one whose programs expect single precision.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AttributePrecision {
+    /// As those programs expect: texture coordinates and normals in single precision, colours as bytes where that is what
+    /// they come from; what is rounded is a named loss.
+    #[default]
+    AsExpected,
+    /// As they are.
+    Double,
 }
 
 impl WriteOptions {

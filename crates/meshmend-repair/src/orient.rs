@@ -17,8 +17,8 @@
 //! witness; or the policy cuts it or gives up.
 
 use meshmend_core::{
-    Column, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeId, EdgeUse, FaceId, FaceTableBuilder, Id,
-    PolygonMesh, Sources, VertexId, is_inconsistent,
+    Column, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeId, EdgeUse, FaceId, FaceTableBuilder,
+    FlippedNormals, Id, PolygonMesh, Sources, VertexId, is_inconsistent,
 };
 use meshmend_kernels::KernelTask;
 use meshmend_topology::{OneSidedStrip, TopologyReport, orientability, patches as patches_of};
@@ -47,6 +47,8 @@ pub struct Orient {
     pub non_orientable: NonOrientable,
     /// What to do with faces that are there once in each direction.
     pub duplicates: Duplicates,
+    /// Whether the stored normals of a face turn with it.
+    pub flipped_normals: FlippedNormals,
 }
 
 /// Which of a patch's two consistent sides is taken.
@@ -337,7 +339,11 @@ impl Task<'_> {
         }
         let faces = old.over(old.vertex_count(), corners)?;
         let faces_from = Sources::same(old.face_count());
-        let draft = Draft { flipped, ..Draft::of_faces(self.mesh, faces, faces_from, sources.into()) };
+        let draft = Draft {
+            flipped,
+            flipped_normals: self.options.flipped_normals,
+            ..Draft::of_faces(self.mesh, faces, faces_from, sources.into())
+        };
         Ok(Outcome::changed(self.mesh.rebuild(draft)?, Mended::default()))
     }
 
@@ -366,7 +372,11 @@ impl Task<'_> {
         }
         let faces = builder.build(old.vertex_count())?;
         let (faces_from, corners_from) = (Sources::listed(face_sources), Sources::listed(corner_sources));
-        let draft = Draft { flipped, ..Draft::of_faces(self.mesh, faces, faces_from, corners_from) };
+        let draft = Draft {
+            flipped,
+            flipped_normals: self.options.flipped_normals,
+            ..Draft::of_faces(self.mesh, faces, faces_from, corners_from)
+        };
         Ok(Outcome::changed(self.mesh.rebuild(draft)?, Mended::default()))
     }
 

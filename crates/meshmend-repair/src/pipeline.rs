@@ -58,6 +58,8 @@ pub struct Repaired {
     pub passes: Vec<PassRecord>,
     /// Each stored face of which nothing is left, with the reason, ascending.
     pub removed_faces: Vec<RemovedFace>,
+    /// How many stored normals turned with their faces: one a corner, or one a face where they are those of faces.
+    pub turned_normals: usize,
     /// The topology of the result, if the last pass was `recompute`.
     pub report: Option<Box<TopologyReport>>,
     /// How many vertices were joined to others and are apart again in the result, each in its own place: that is no

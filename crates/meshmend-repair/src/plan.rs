@@ -13,6 +13,7 @@
 //! side = "outward"                    # majority
 //! non-orientable = "report"           # cut, fail
 //! duplicates = "keep"                 # remove-pair, keep-first
+//! flipped-normals = "negate"          # keep
 //!
 //! [split]
 //! edges = "sheets"                    # cut, pinch-only

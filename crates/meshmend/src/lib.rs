@@ -108,12 +108,12 @@ pub use kernel_bench::{KernelCost, KernelQuestion};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, cut, loops};
 pub use mend::repair;
 pub use meshmend_core::{
-    CornerId, Defect, DefectKind, EdgeId, FaceId, FaceTable, FaceTableBuilder, Id, PolygonMesh, Provenance,
-    Refusal, Severity, VertexId,
+    CornerId, Defect, DefectKind, EdgeId, FaceId, FaceTable, FaceTableBuilder, FlippedNormals, Id,
+    PolygonMesh, Provenance, Refusal, Severity, VertexId,
 };
 pub use meshmend_io::{
-    Encoding, Format, Loss, Note, ReadError, ReadFile, ReadOptions, WriteError, WriteOptions, encode, read,
-    read_bytes, write,
+    Encoding, Format, Loss, Note, ReadError, ReadFile, ReadOptions, Seams, WriteError, WriteOptions, encode,
+    read, read_bytes, write,
 };
 pub use meshmend_kernels::{KernelKind, KernelTask};
 pub use meshmend_repair::{AnyPass, Distance, Examined, Pass, PassError, PassKind, Pipeline, Plan, Repaired};

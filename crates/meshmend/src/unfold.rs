@@ -1,6 +1,6 @@
 //! A mesh laid out in the plane, cut open first where it is no disc.
 
-use meshmend_core::{Carry, Domain, Layer, MeshError, PolygonMesh, Values};
+use meshmend_core::{Carry, Domain, Layer, MeshError, PolygonMesh, Role, Values};
 use meshmend_flatten::{Boundary, Flatten, FlattenError, Layout, flatten};
 use meshmend_repair::{CutAlong, Discs, cut_to_discs, cut_to_square};
 use thiserror::Error;
@@ -100,6 +100,7 @@ fn with_texcoords(mesh: PolygonMesh, layout: &Layout) -> Result<PolygonMesh, Mes
     let pool = Values::F64(layout.points.iter().flatten().copied().collect());
     let uses = mesh.faces().corner_vertices().iter().map(|vertex| vertex.0).collect();
     let texcoords = Layer::indexed(TEXCOORD, Domain::Corner, 2, Carry::Interpolate, pool, uses);
+    let texcoords = texcoords.with_role(Role::TexCoord);
     let others = mesh.layers().iter().filter(|layer| layer.name() != TEXCOORD).cloned();
     let layers = others.chain([texcoords]).collect();
     mesh.with_layers(layers)

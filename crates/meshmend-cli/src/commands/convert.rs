@@ -32,7 +32,7 @@ impl Convert {
         progress.step("read");
         let file = read(&self.input)?;
         progress.step("write");
-        let losses = meshmend::write(&self.output, &file.mesh, &options)?;
+        let losses = meshmend::write(&self.output, &file.mesh, &options.as_read(&file))?;
         drop(progress);
         let text = render::conversion(&name(&self.input), &name(&self.output), &file, &losses);
         console.write(&text)?;

@@ -61,6 +61,7 @@ impl Cut {
         let progress = console.progress(3);
         progress.step("read");
         let file = read(&self.input)?;
+        let options = options.as_read(&file);
         progress.step("cut");
         let loops = self.loops.options(View::usual_for(file.format));
         let report = cut(&file.mesh, &CutOptions { along, loops })

@@ -83,9 +83,10 @@ impl Flatten {
         let mut document = UnfoldDocument::new(&unfolded, &request, view, self.limit);
         document.file = Some(name(&self.input));
         document.output = Some(name(&self.output));
-        document.notes = file.notes;
+        document.notes = file.notes.clone();
         match target {
             Target::Mesh(options) => {
+                let options = options.as_read(&file);
                 document.losses = meshmend::write(&self.output, &unfolded.mesh, &options)?;
             }
             Target::Picture => write_picture(&self.output, &unfolded)?,

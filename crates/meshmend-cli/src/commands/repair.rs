@@ -9,7 +9,7 @@ use meshmend::repair::FaceStorage;
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
     CheckOptions, CheckReport, Examined, Format, KernelKind, PassKind, PolygonMesh, ReadFile, Repaired, View,
-    WriteOptions, check, check_before_repair,
+    WriteError, WriteOptions, check, check_before_repair,
 };
 
 use super::check::json_line;
@@ -65,6 +65,12 @@ struct Target<'a> {
 }
 
 impl Target<'_> {
+    /// A mesh that is ready to be written there.
+    fn prepared(&self, mesh: &PolygonMesh) -> Result<Prepared, Failure> {
+        let failed = |kind| WriteError { file: name(self.path), kind };
+        Ok(Prepared::new(mesh, &self.options).map_err(failed)?)
+    }
+
     /// Tells a repair how its result will be written, where a format may store vertices more than once for their
     /// attributes.
     fn tell(&self, stored: &PolygonMesh, repaired: &mut Repaired) {
@@ -87,7 +93,7 @@ fn storage(format: Option<Format>) -> FaceStorage {
 
 impl Repair {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let target = self.target()?;
+        let mut target = self.target()?;
         let format = target.as_ref().and_then(|target| target.options.format);
         let plan = match format {
             Some(format) if !format.holds_polygons() => self.policies.plan_for_triangles()?,
@@ -100,6 +106,9 @@ impl Repair {
         let progress = console.progress(pipeline.passes().len() + 4);
         progress.step("read");
         let file = read(&self.input)?;
+        if let Some(target) = &mut target {
+            target.options = std::mem::take(&mut target.options).as_read(&file);
+        }
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         progress.step("check");
         let (before, examined) = if self.quiet { None } else { Some(self.before(&file)?) }.unzip();
@@ -122,8 +131,9 @@ impl Repair {
             document.after = Some(self.after(&mut repaired)?);
         }
         progress.step("write");
-        self.name_output(&repaired.mesh, target.as_ref(), &mut document);
-        self.write(&repaired.mesh, target.as_ref(), &document)?;
+        let prepared = target.as_ref().map(|target| target.prepared(&repaired.mesh)).transpose()?;
+        self.name_output(target.as_ref(), prepared.as_ref(), &mut document);
+        self.write(target.as_ref().zip(prepared.as_ref()), &document)?;
         drop(progress);
         console.write(&self.text(&document, console.style())?)?;
         Ok(Status::Done)
@@ -169,9 +179,14 @@ impl Repair {
     }
 
     /// Says in the report what will be written, and what is lost by it.
-    fn name_output(&self, mesh: &PolygonMesh, target: Option<&Target<'_>>, document: &mut RepairDocument) {
-        let Some(Target { path, options }) = target else { return };
-        document.losses = meshmend::io::losses(mesh, options);
+    fn name_output(
+        &self,
+        target: Option<&Target<'_>>,
+        prepared: Option<&Prepared>,
+        document: &mut RepairDocument,
+    ) {
+        let (Some(Target { path, options }), Some(prepared)) = (target, prepared) else { return };
+        document.losses = prepared.losses();
         if self.dry_run {
             return;
         }
@@ -185,16 +200,15 @@ impl Repair {
     /// place last: there is no report on a mesh that was not written, and no mesh where the report can't be.
     fn write(
         &self,
-        mesh: &PolygonMesh,
-        target: Option<&Target<'_>>,
+        output: Option<(&Target<'_>, &Prepared)>,
         document: &RepairDocument,
     ) -> Result<(), Failure> {
-        let Some(report) = &self.report else { return self.write_mesh(mesh, target) };
+        let Some(report) = &self.report else { return self.write_mesh(output) };
         let text = json_line(document)?;
         let written = replace_file(report, |out| -> Result<(), Interrupted> {
             out.write_all(text.as_bytes())?;
             out.flush()?;
-            self.write_mesh(mesh, target).map_err(Interrupted::Mesh)
+            self.write_mesh(output).map_err(Interrupted::Mesh)
         });
         written.map_err(|interrupted| match interrupted {
             Interrupted::Mesh(failure) => failure,
@@ -202,12 +216,9 @@ impl Repair {
         })
     }
 
-    fn write_mesh(&self, mesh: &PolygonMesh, target: Option<&Target<'_>>) -> Result<(), Failure> {
-        match target {
-            Some(Target { path, options }) if !self.dry_run => {
-                meshmend::write(path, mesh, options)?;
-                Ok(())
-            }
+    fn write_mesh(&self, output: Option<(&Target<'_>, &Prepared)>) -> Result<(), Failure> {
+        match output {
+            Some((target, prepared)) if !self.dry_run => Ok(prepared.write(target.path)?),
             _ => Ok(()),
         }
     }

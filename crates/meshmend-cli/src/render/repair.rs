@@ -1,8 +1,9 @@
 //! What a repair did: before and after side by side, pass by pass, what went, what is left.
 
+use meshmend::io::LossKind;
 use meshmend::repair::SeamFigures;
 use meshmend::report::{FigureChanges, PassDocument, RepairDocument};
-use meshmend::{PassKind, Severity};
+use meshmend::{Loss, PassKind, Severity};
 
 use super::check::{column, defects};
 use super::table::{self, Align};
@@ -21,9 +22,19 @@ pub(crate) fn repair(document: &RepairDocument, style: Style) -> String {
     page.push_str(&paragraph(&style.heading("worth knowing"), known));
     let losses = document.losses.iter().map(|loss| printable(&loss.to_string()));
     page.push_str(&paragraph(&style.heading("what the output can't carry"), losses));
+    page.push_str(seam_hint(&document.losses));
     let notes = document.notes.iter().map(|note| printable(&note.to_string()));
     page.push_str(&paragraph(&style.heading("notes of the reader"), notes));
     page
+}
+
+/// How to keep vertices whole that the output has several times.
+fn seam_hint(losses: &[Loss]) -> &'static str {
+    if losses.iter().any(|loss| loss.kind == LossKind::SeamVertices) {
+        "  (--seams corners keeps each vertex whole, for programs that read attributes of corners; see --help)\n"
+    } else {
+        ""
+    }
 }
 
 /// One line that says what became of the mesh.
@@ -41,6 +52,7 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
     let changes = [
         (document.removed_faces.count, "faces removed"),
         (document.flipped_faces.count, "faces flipped"),
+        (document.turned_normals, "normals turned with their faces"),
         (document.created_vertices.count, "vertices created"),
         (document.stitched, "vertices stitched"),
         ((before.loose_edges - after.loose_edges.min(before.loose_edges)) as u64, "loose edges removed"),

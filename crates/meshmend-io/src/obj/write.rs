@@ -17,6 +17,20 @@ use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 /// Statements about the whole file, with their keys.
 const STATEMENTS: [(&str, &str); 2] = [(COMMENT, "#"), ("mtllib", "mtllib")];
 
+/// Colours and weights are written with the vertices.
+pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
+    prepared.split_seams(|layer| match layer.name() {
+        "color" => is_color(layer),
+        "weight" => has_fractions(layer) && layer.width() == 1,
+        _ => false,
+    })
+}
+
+fn is_color(layer: &Layer) -> bool {
+    let is_known = has_fractions(layer) || matches!(layer.values(), Values::U8(_));
+    is_known && (3..=4).contains(&layer.width())
+}
+
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
     let mesh = &prepared.mesh;
     let plan = Plan::of(mesh);
@@ -94,10 +108,6 @@ impl<'a> Plan<'a> {
             let is_fit = |layer: &Layer| is_numeric(layer) && widths.contains(&layer.width());
             layer_of(mesh, name, Domain::Corner, is_fit)
                 .or_else(|| layer_of(mesh, name, Domain::Vertex, is_fit))
-        };
-        let is_color = |layer: &Layer| {
-            let is_known = has_fractions(layer) || matches!(layer.values(), Values::U8(_));
-            is_known && (3..=4).contains(&layer.width())
         };
         let color = layer_of(mesh, "color", Domain::Vertex, is_color);
         let is_weight = |layer: &Layer| color.is_none() && has_fractions(layer) && layer.width() == 1;

@@ -39,7 +39,7 @@ pub(crate) static DRIVER: Driver = Driver {
     sniff: header::sniff,
     read: read::read,
     read_blocks: |_, _, _| None,
-    prepare: |_| {},
+    prepare: write::prepare,
     encode: write::encode,
     losses: write::losses,
 };

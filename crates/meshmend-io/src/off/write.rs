@@ -24,6 +24,16 @@ struct Plan<'a> {
     face_color: Option<&'a Layer>,
 }
 
+/// Normals, colours and texture coordinates are written with the vertices.
+pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
+    prepared.split_seams(|layer| match layer.name() {
+        "normal" => is_numeric(layer) && layer.width() == 3,
+        "texcoord" => is_numeric(layer) && layer.width() == 2,
+        "color" => is_color(layer),
+        _ => false,
+    })
+}
+
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
     let mesh = &prepared.mesh;
     let plan = Plan::of(prepared);

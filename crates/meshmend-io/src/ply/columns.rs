@@ -1,10 +1,11 @@
 //! The rows of an element, column by column.
 
-use meshmend_core::Values;
+use meshmend_core::{Carry, Domain, Layer, Values};
 
 use crate::ReadError;
 use crate::ply::data::{Data, RowReader};
 use crate::ply::header::{Element, Property};
+use crate::ply::rows::TableRows;
 
 /// The values of the columns of an element, apart from the one that is read in another way.
 pub(super) struct Columns {
@@ -64,6 +65,35 @@ fn extend(values: &mut Values, numbers: impl Iterator<Item = f64>) {
         Values::F32(v) => v.extend(numbers.map(|x| x as f32)),
         Values::F64(v) => v.extend(numbers),
         Values::Text(_) | Values::Lists { .. } => {}
+    }
+}
+
+impl Columns {
+    /// All rows of an element.
+    pub(super) fn of_rows(element: &Element, data: &mut impl Data) -> Result<Self, ReadError> {
+        let mut columns = Columns::new(element);
+        if element.properties.is_empty() {
+            return Ok(columns);
+        }
+        let sizes = element.properties.iter().map(|property| property.item.size());
+        let offsets = sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size)));
+        let offsets: Vec<usize> = offsets.collect();
+        let is_read = data.fixed_rows(element, |rows| {
+            columns.values.iter_mut().zip(&offsets).for_each(|(values, &at)| rows.extend(values, at));
+        })?;
+        if !is_read {
+            data.each_row(element, None, &mut TableRows { element, columns: &mut columns })?;
+        }
+        Ok(columns)
+    }
+
+    /// A layer a column, in which each row has its own value.
+    pub(super) fn into_layers(self, element: &Element) -> Vec<Layer> {
+        let columns = self.values.into_iter().zip(&element.properties);
+        let layer = |(values, property): (Values, &Property)| {
+            Layer::direct(property.name.clone(), Domain::Face, 1, Carry::Clear, values)
+        };
+        columns.map(layer).collect()
     }
 }
 

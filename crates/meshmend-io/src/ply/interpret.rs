@@ -22,11 +22,20 @@ pub(super) struct Rows<'a> {
     pub(super) corner_starts: Vec<u32>,
 }
 
-pub(super) fn vertex_layers(mut rows: Rows<'_>, parts: &mut Parts) {
+pub(super) fn vertex_layers(rows: Rows<'_>, parts: &mut Parts) {
+    direct_layers(rows, Domain::Vertex, parts);
+}
+
+pub(super) fn edge_layers(rows: Rows<'_>, parts: &mut Parts) {
+    direct_layers(rows, Domain::LooseEdge, parts);
+}
+
+/// Layers in which each row has its own value.
+fn direct_layers(mut rows: Rows<'_>, domain: Domain, parts: &mut Parts) {
     for column in 0..rows.element.properties.len() {
-        if let Some((name, width, values)) = rows.next_layer(column, Domain::Vertex, parts) {
-            let carry = carry(&values);
-            parts.layers.push(Layer::direct(name, Domain::Vertex, width, carry, values));
+        if let Some((name, width, values)) = rows.next_layer(column, domain, parts) {
+            let carry = if domain == Domain::Vertex { carry(&values) } else { Carry::Copy };
+            parts.layers.push(Layer::direct(name, domain, width, carry, values));
         }
     }
 }

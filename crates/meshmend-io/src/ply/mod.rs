@@ -9,31 +9,39 @@
 //! | `face`: list `texcoord` of two numbers a corner, list `corner_NAME` of any number a corner | the corner layers `texcoord`, `NAME` |
 //! | `tristrips`: list `vertex_indices` with −1 for a restart | triangles, every second one reversed; those that name a vertex twice are stitches, noted and no faces |
 //! | `edge`: `vertex1 vertex2` | a loose edge |
+//! | any other element | rows that a PLY output carries as they are |
 //! | `comment`, `obj_info` | metadata |
 //!
 //! **Text.** A row stands on a line of its own. A file whose rows are wrapped otherwise is accepted, with a note, if it
 //! comes out even at the end of each element and of the file; else the error names the first line with a wrong number
 //! of values.
 //!
-//! Other elements are skipped and noted. Elements and properties may come in any order. What is written reads
-//! back to the same layers, whatever their names and types; positions are written as `float` where that holds
-//! every one of them exactly, else as `double`.
+//! Elements and properties may come in any order, and are written in the order, by the names and in the types that the file
+//! declared from which the mesh comes, where those types hold every value. Without such a file positions are written as
+//! `float` where that holds every one of them exactly, else as `double`. What is written reads back to the same layers,
+//! whatever their names and types, but for what a writer does for the sake of other programs: attributes of vertices whose
+//! corners differ, normals, and texture coordinates of polygons are written with the vertices, which are split for that; and
+//! those of other formats in the types that are expected in a PLY.
 
 mod binary;
 mod columns;
 mod data;
+mod expected;
 mod header;
 mod interpret;
 mod layers;
 mod lines;
 mod plain;
 mod plan;
+mod prepare;
+mod property;
 mod read;
 mod rows;
 mod scalar;
 mod shape;
 mod strips;
 mod table;
+mod types;
 mod write;
 
 pub(crate) use self::shape::PlyShape;
@@ -48,7 +56,7 @@ pub(crate) static DRIVER: Driver = Driver {
     sniff: header::sniff,
     read: read::read,
     read_blocks: read::read_blocks,
-    prepare: |_| {},
+    prepare: prepare::prepare,
     encode: write::encode,
     losses: plan::losses,
 };

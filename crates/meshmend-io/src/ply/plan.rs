@@ -1,46 +1,32 @@
-//! Which layers become which properties, and what can't.
+//! Which elements and properties a file gets: those of the file that the mesh comes from, as far as there was one, and what
+//! else its layers need.
 
 use std::collections::BTreeSet;
 
-use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
+use meshmend_core::{Domain, Layer, PolygonMesh, Values};
 
 use crate::layers::{
     absent, absent_loss, domain_name, layer_losses, losses_in, metadata_losses, one_line, point_loss,
 };
 use crate::ply::layers::usual;
+use crate::ply::property::{Property, Source};
 use crate::ply::scalar::Scalar;
+use crate::ply::shape::Declared;
+use crate::ply::types::{coordinate_types, corners_at_most, counting, fitting};
 use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES, PlyShape};
 use crate::{Loss, LossKind, Prepared};
 
-/// The properties of a file to be written.
+/// The elements of a file to be written.
 pub(super) struct Plan<'a> {
-    /// The type of the coordinates.
-    pub(super) position: Scalar,
-    /// The type of the numbers of corners.
-    pub(super) degree: Scalar,
-    pub(super) vertex: Vec<Column<'a>>,
-    pub(super) face: Vec<Column<'a>>,
-    names: BTreeSet<(Domain, String)>,
+    pub(super) elements: Vec<Element<'a>>,
     losses: Vec<Loss>,
 }
 
-/// A property to be written.
-pub(super) struct Column<'a> {
-    pub(super) name: String,
-    pub(super) layer: &'a Layer,
-    pub(super) item: Scalar,
-    pub(super) shape: Shape,
-}
-
-/// How a property gets its values from a layer.
-#[derive(Clone, Copy)]
-pub(super) enum Shape {
-    /// One of the numbers of each value.
-    Component(usize),
-    /// Each value is a list, with its length in this type.
-    List(Scalar),
-    /// The values of a face's corners, one after the other, with their number in this type.
-    Corners(Scalar),
+/// An element to be written.
+pub(super) struct Element<'a> {
+    pub(super) name: &'a str,
+    pub(super) count: usize,
+    pub(super) properties: Vec<Property<'a>>,
 }
 
 /// The keys of metadata that are written.
@@ -50,8 +36,9 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let mesh = &prepared.mesh;
     let plan = Plan::of(prepared);
     let mut losses = layer_losses(mesh, &plan.layers());
+    losses.extend(losses_in(mesh, &plan.layers(), &[Domain::LooseEdge]));
     losses.extend(plan.losses);
-    losses.extend(losses_in(mesh, &[], &[Domain::LooseEdge]));
+    losses.extend(PlyShape::of(prepared).map(|shape| shape.stale_losses(mesh)).unwrap_or_default());
     losses.extend(point_loss(mesh));
     losses.extend(metadata_losses(mesh, &KEYS));
     let statements = mesh.metadata().iter().filter(|m| KEYS.contains(&m.kind()));
@@ -74,67 +61,198 @@ pub(super) fn header_line(value: &[u8]) -> Vec<u8> {
 
 impl<'a> Plan<'a> {
     pub(super) fn of(prepared: &'a Prepared) -> Self {
-        let mesh = &prepared.mesh;
-        let is_single = |x: &f64| f64::from(*x as f32).to_bits() == x.to_bits();
-        let all_single = mesh.positions().iter().flatten().all(is_single);
-        let faces = mesh.faces();
-        let most = if faces.is_all_triangles() {
-            3
-        } else {
-            faces.faces().map(|f| faces.corner_range(f).len()).max().unwrap_or(0)
-        };
-        let declared = PlyShape::of(prepared).map(|shape| shape.position);
-        let mut plan = Plan {
-            position: if all_single && declared != Some(Scalar::F64) { Scalar::F32 } else { Scalar::F64 },
-            degree: Scalar::counting(most),
-            vertex: Vec::new(),
-            face: Vec::new(),
-            names: reserved_names(),
-            losses: Vec::new(),
-        };
-        for layer in mesh.layers() {
-            plan.add(mesh, layer, most);
+        let (mesh, shape) = (&prepared.mesh, PlyShape::of(prepared));
+        let mut planner = Planner::new(mesh, shape);
+        mesh.layers().iter().for_each(|layer| planner.add(layer));
+        let Planner { vertex, face, edge, losses, .. } = planner;
+        let (faces, edges) = (mesh.counts().faces, mesh.loose_edges().len());
+        let is_declared = |name: &str| shape.is_some_and(|shape| shape.element(name).is_some());
+        let mut known = vec![Element { name: "vertex", count: mesh.counts().vertices, properties: vertex }];
+        // A cloud of points has no faces, and declares none.
+        if faces > 0 || is_declared("face") || mesh.counts().vertices == 0 {
+            known.push(Element { name: "face", count: faces, properties: face });
         }
-        plan
+        if edges > 0 || is_declared("edge") && !is_table(shape, "edge") {
+            known.push(Element { name: "edge", count: edges, properties: edge });
+        }
+        Plan { elements: in_declared_order(known, shape), losses }
     }
 
     fn layers(&self) -> Vec<&'a Layer> {
-        self.vertex.iter().chain(&self.face).map(|column| column.layer).collect()
+        let properties = self.elements.iter().flat_map(|element| &element.properties);
+        properties.filter_map(|property| property.source.layer()).collect()
+    }
+}
+
+/// Whether an element of the file that the mesh comes from is carried as it is.
+fn is_table(shape: Option<&PlyShape>, name: &str) -> bool {
+    shape.and_then(|shape| shape.element(name)).is_some_and(|element| element.table.is_some())
+}
+
+/// The elements of a mesh and those that are carried as they are, in the order of the file that the mesh comes from.
+fn in_declared_order<'a>(mut known: Vec<Element<'a>>, shape: Option<&'a PlyShape>) -> Vec<Element<'a>> {
+    let Some(shape) = shape else { return known };
+    let mut all = Vec::with_capacity(shape.elements.len());
+    for declared in &shape.elements {
+        match &declared.table {
+            Some(rows) => all.push(Element {
+                name: &declared.name,
+                count: rows.count,
+                properties: table_properties(declared, &rows.columns),
+            }),
+            None => {
+                let at = known.iter().position(|element| element.name == declared.name);
+                all.extend(at.map(|at| known.remove(at)));
+            }
+        }
+    }
+    // Vertices first, should the file not have declared them.
+    let rest_is_first = known.first().is_some_and(|element| element.name == "vertex");
+    if rest_is_first {
+        all.insert(0, known.remove(0));
+    }
+    all.extend(known);
+    all.iter_mut().for_each(|element| sort_as_declared(element, shape));
+    all
+}
+
+fn sort_as_declared(element: &mut Element<'_>, shape: &PlyShape) {
+    if let Some(declared) = shape.element(element.name) {
+        let place =
+            |property: &Property<'_>| declared.property(&property.name).map_or(usize::MAX, |(at, _)| at);
+        element.properties.sort_by_cached_key(place);
+    }
+}
+
+fn table_properties<'a>(declared: &'a Declared, columns: &'a [Layer]) -> Vec<Property<'a>> {
+    let property = |(property, layer): (&'a super::shape::DeclaredProperty, &'a Layer)| Property {
+        name: property.name.clone(),
+        item: property.item,
+        source: property.length.map_or(Source::Component(layer, 0), |length| Source::List(layer, length)),
+    };
+    declared.properties.iter().zip(columns).map(property).collect()
+}
+
+/// The ends of loose edges.
+fn ends<'a>(mesh: &PolygonMesh, shape: Option<&PlyShape>) -> Vec<Property<'a>> {
+    let highest = mesh.counts().vertices.saturating_sub(1);
+    let declared = shape.and_then(|shape| shape.element("edge"));
+    let end = |(end, name): (usize, &str)| {
+        let item = declared.and_then(|declared| Some(declared.property(name)?.1.item));
+        Property {
+            name: name.to_owned(),
+            item: fitting(item, highest, Scalar::I32),
+            source: Source::End(end),
+        }
+    };
+    ["vertex1", "vertex2"].into_iter().enumerate().map(end).collect()
+}
+
+/// Collects the properties of vertices and faces.
+struct Planner<'a> {
+    mesh: &'a PolygonMesh,
+    shape: Option<&'a PlyShape>,
+    most_corners: usize,
+    vertex: Vec<Property<'a>>,
+    face: Vec<Property<'a>>,
+    edge: Vec<Property<'a>>,
+    names: BTreeSet<(Domain, String)>,
+    losses: Vec<Loss>,
+}
+
+impl<'a> Planner<'a> {
+    fn new(mesh: &'a PolygonMesh, shape: Option<&'a PlyShape>) -> Self {
+        let (vertex, names) = (Vec::new(), reserved_names());
+        let most_corners = corners_at_most(mesh.faces());
+        let mut planner = Planner {
+            mesh,
+            shape,
+            most_corners,
+            vertex,
+            face: Vec::new(),
+            edge: ends(mesh, shape),
+            names,
+            losses: Vec::new(),
+        };
+        let types = coordinate_types(mesh, shape.and_then(|shape| shape.element("vertex")));
+        let axes = ["x", "y", "z"].into_iter().zip(types).enumerate();
+        let coordinate = |(axis, (name, item)): (usize, (&str, Scalar))| Property {
+            name: name.to_owned(),
+            item,
+            source: Source::Coordinate(axis),
+        };
+        planner.vertex.extend(axes.map(coordinate));
+        planner.face.push(planner.indices());
+        planner
     }
 
-    fn add(&mut self, mesh: &'a PolygonMesh, layer: &'a Layer, most_corners: usize) {
+    /// The list of a face's vertices, as the file that the mesh comes from declares it where that is wide enough.
+    fn indices(&self) -> Property<'a> {
+        let face = self.shape.and_then(|shape| shape.element("face"));
+        let names = ["vertex_indices", "vertex_index"];
+        let declared = face.and_then(|face| {
+            let properties = face.properties.iter().filter(|property| property.length.is_some());
+            properties.into_iter().find(|property| names.contains(&property.name.as_str()))
+        });
+        let highest = self.mesh.counts().vertices.saturating_sub(1);
+        Property {
+            name: declared.map_or(names[0], |property| property.name.as_str()).to_owned(),
+            item: fitting(declared.map(|property| property.item), highest, Scalar::I32),
+            source: Source::Indices(counting(
+                declared.and_then(|property| property.length),
+                self.most_corners,
+            )),
+        }
+    }
+
+    fn add(&mut self, layer: &'a Layer) {
         match (layer.domain(), layer.values()) {
-            (_, Values::Text(_)) | (Domain::LooseEdge | Domain::LoosePoint, _) => {}
+            (_, Values::Text(_)) | (Domain::LoosePoint, _) => {}
             (Domain::Corner, Values::Lists { .. }) => {}
             // A property of empty lists would be read as one of the faces.
             (Domain::Corner, _) if absent(layer) == layer.element_count() => {}
             (Domain::Corner, values) => {
                 let Some(item) = Scalar::of(values) else { return };
                 let is_usual = layer.name() == "texcoord" && layer.width() == 2;
-                let prefix = if is_usual { "" } else { CORNER_PREFIX };
-                let shape = Shape::Corners(Scalar::counting(most_corners.saturating_mul(layer.width())));
-                self.push(layer, format!("{prefix}{}", layer.name()), item, shape);
-                self.losses.extend(absent_loss(layer, partly_absent(mesh, layer)));
+                let name = format!("{}{}", if is_usual { "" } else { CORNER_PREFIX }, layer.name());
+                let most = self.most_corners.saturating_mul(layer.width());
+                let length = counting(self.declared_length(Domain::Face, &name), most);
+                self.push(layer, name, item, Source::Corners(layer, length));
+                self.losses.extend(absent_loss(layer, partly_absent(self.mesh, layer)));
             }
-            (_, Values::Lists { starts, items }) if layer.width() == 1 => {
+            (domain, Values::Lists { starts, items }) if layer.width() == 1 => {
                 let Some(item) = Scalar::of(items) else { return };
                 let most = starts.windows(2).map(|pair| (pair[1] - pair[0]) as usize).max().unwrap_or(0);
-                self.push(layer, layer.name().to_owned(), item, Shape::List(Scalar::counting(most)));
+                let length = counting(self.declared_length(domain, layer.name()), most);
+                self.push(layer, layer.name().to_owned(), item, Source::List(layer, length));
                 self.losses.extend(absent_loss(layer, absent(layer)));
             }
             (_, Values::Lists { .. }) => {}
             (_, values) => {
                 let Some(item) = Scalar::of(values) else { return };
-                for (component, name) in names(mesh, layer).into_iter().enumerate() {
-                    self.push(layer, name, item, Shape::Component(component));
+                for (component, name) in names(self.mesh, layer).into_iter().enumerate() {
+                    self.push(layer, name, item, Source::Component(layer, component));
                 }
                 self.losses.extend(absent_loss(layer, absent(layer)));
             }
         }
     }
 
-    fn push(&mut self, layer: &'a Layer, name: String, item: Scalar, shape: Shape) {
-        let element = if layer.domain() == Domain::Vertex { Domain::Vertex } else { Domain::Face };
+    fn declared_length(&self, domain: Domain, name: &str) -> Option<Scalar> {
+        let element = match domain {
+            Domain::Vertex => "vertex",
+            Domain::LooseEdge => "edge",
+            _ => "face",
+        };
+        self.shape?.element(element)?.property(name)?.1.length
+    }
+
+    fn push(&mut self, layer: &'a Layer, name: String, item: Scalar, source: Source<'a>) {
+        let (element, properties) = match layer.domain() {
+            Domain::Vertex => (Domain::Vertex, &mut self.vertex),
+            Domain::LooseEdge => (Domain::LooseEdge, &mut self.edge),
+            _ => (Domain::Face, &mut self.face),
+        };
         let is_blank = |c: char| c.is_whitespace() || c.is_control();
         let mut spelled: String = name.chars().map(|c| if is_blank(c) { '_' } else { c }).collect();
         while spelled.is_empty() || !self.names.insert((element, spelled.clone())) {
@@ -144,8 +262,7 @@ impl<'a> Plan<'a> {
             let message = format!("property `{name}` is called `{spelled}`");
             self.losses.push(Loss::new(LossKind::Names, 1, message));
         }
-        let columns = if element == Domain::Vertex { &mut self.vertex } else { &mut self.face };
-        columns.push(Column { name: spelled, layer, item, shape });
+        properties.push(Property { name: spelled, item, source });
     }
 }
 
@@ -153,7 +270,8 @@ impl<'a> Plan<'a> {
 fn reserved_names() -> BTreeSet<(Domain, String)> {
     let of_vertices = ["x", "y", "z"].map(|name| (Domain::Vertex, name.to_owned()));
     let of_faces = ["vertex_indices", "vertex_index"].map(|name| (Domain::Face, name.to_owned()));
-    of_vertices.into_iter().chain(of_faces).collect()
+    let of_edges = ["vertex1", "vertex2"].map(|name| (Domain::LooseEdge, name.to_owned()));
+    of_vertices.into_iter().chain(of_faces).chain(of_edges).collect()
 }
 
 /// The names of the properties that a layer is spread over.
@@ -189,22 +307,4 @@ fn partly_absent(mesh: &PolygonMesh, layer: &Layer) -> usize {
         if absent == degree { 0 } else { absent }
     };
     faces.faces().map(|face| absent_in(faces.corner_range(face))).sum()
-}
-
-impl Column<'_> {
-    /// Which value an element uses, or for a face of a corner layer whether any of its corners uses one.
-    pub(super) fn value_of(&self, element: usize) -> Option<usize> {
-        self.layer.value_of(element)
-    }
-
-    /// How many numbers a face's list has: none when no corner has a value.
-    pub(super) fn corner_values(&self, corners: std::ops::Range<usize>) -> usize {
-        let has_any = corners.clone().any(|corner| self.layer.value_of(corner).is_some());
-        if has_any { corners.len() * self.layer.width() } else { 0 }
-    }
-}
-
-/// The index of a vertex as it is written.
-pub(super) fn index(vertex: meshmend_core::VertexId) -> i64 {
-    vertex.index() as i64
 }

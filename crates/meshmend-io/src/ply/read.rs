@@ -8,7 +8,7 @@ use crate::ply::binary::Binary;
 use crate::ply::columns::{Columns, skip};
 use crate::ply::data::Data;
 use crate::ply::header::{self, Element, Form, Header};
-use crate::ply::interpret::{Rows, face_layers, vertex_layers};
+use crate::ply::interpret::{Rows, edge_layers, face_layers, vertex_layers};
 use crate::ply::plain::Plain;
 use crate::ply::rows::{EdgeRows, FaceRows, VertexRows};
 use crate::ply::strips::{Stitches, StripRows};
@@ -62,10 +62,21 @@ fn read_body(
     parts: Parts,
     mut data: impl Data,
 ) -> Result<Parsed, ReadError> {
-    let mut reader = Reader { source, form: header.form, limits, parts, vertices: None, faces: None };
-    for element in &header.elements {
+    let mut reader = Reader {
+        source,
+        form: header.form,
+        limits,
+        parts,
+        vertices: None,
+        faces: None,
+        edges: None,
+        element: 0,
+        tables: Vec::new(),
+    };
+    for (at, element) in header.elements.iter().enumerate() {
+        reader.element = at;
         data.begin_element(element)?;
-        reader.element(element, &mut data)?;
+        reader.read_element(element, &mut data)?;
         data.end_element(element)?;
     }
     let odd_rows = data.end_file()?;
@@ -99,24 +110,32 @@ struct Reader<'a> {
     parts: Parts,
     vertices: Option<Rows<'a>>,
     faces: Option<Rows<'a>>,
+    edges: Option<Rows<'a>>,
+    /// The place in the header of the element that is read.
+    element: usize,
+    /// The rows of elements that are carried as they are, with their places in the header.
+    tables: Vec<(usize, Columns)>,
 }
 
 impl<'a> Reader<'a> {
-    fn element(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+    fn read_element(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
         match element.name.as_str() {
             "vertex" => self.vertices(element, data),
             "face" => self.faces(element, data),
             "tristrips" => self.strips(element, data),
             "edge" => self.edges(element, data),
             name => {
-                self.note_skipped(
-                    &format!("element `{name}` is not understood and was skipped"),
-                    element.count,
-                    element,
-                );
-                skip(element, data)
+                let message = format!("element `{name}` is not understood: only a PLY output carries it");
+                self.table(&message, element, data)
             }
         }
+    }
+
+    /// Keeps the rows of an element that is carried as it is.
+    fn table(&mut self, message: &str, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        self.note_skipped(message, element.count, element);
+        self.tables.push((self.element, Columns::of_rows(element, data)?));
+        Ok(())
     }
 
     fn note_skipped(&mut self, message: &str, count: u64, element: &Element) {
@@ -200,25 +219,19 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn edges(&mut self, element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
+    fn edges(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
         let end = |name: &str| element.properties.iter().position(|p| p.name == name && p.length.is_none());
         let (Some(one), Some(other)) = (end("vertex1"), end("vertex2")) else {
-            self.note_skipped(
-                "element `edge` has no `vertex1` and `vertex2` and was skipped",
-                element.count,
-                element,
-            );
-            return skip(element, data);
+            let message = "element `edge` has no `vertex1` and `vertex2`: only a PLY output carries it";
+            return self.table(message, element, data);
         };
-        let others =
-            element.properties.iter().enumerate().filter(|(column, _)| ![one, other].contains(column));
-        for (_, property) in others {
-            let message = format!("property `{}` of loose edges was skipped", property.name);
-            let (source, at) = (self.source, element.at);
-            self.parts.notes.add_many(NoteKind::LooseAttribute, &message, element.count, || source.line(at));
-        }
-        let mut reader = EdgeRows { element, ends: [one, other], parts: &mut self.parts };
-        data.each_row(element, None, &mut reader)
+        let mut columns = Columns::new(element);
+        let mut reader =
+            EdgeRows { element, ends: [one, other], columns: &mut columns, parts: &mut self.parts };
+        data.each_row(element, None, &mut reader)?;
+        let is_taken = (0..element.properties.len()).map(|column| [one, other].contains(&column)).collect();
+        self.edges = Some(Rows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
+        Ok(())
     }
 
     fn missing(&self, element: &Element, reason: &str) -> ReadError {
@@ -232,6 +245,10 @@ impl<'a> Reader<'a> {
         if let Some(faces) = self.faces.take() {
             face_layers(faces, &mut self.parts);
         }
+        if let Some(edges) = self.edges.take() {
+            edge_layers(edges, &mut self.parts);
+        }
+        let tables = std::mem::take(&mut self.tables);
         let (mesh, notes) =
             self.parts.assemble(self.source, 0, |at| place_of(self.source, header.form, at))?;
         let (variant, encoding) = match header.form {
@@ -239,7 +256,7 @@ impl<'a> Reader<'a> {
             Form::LittleEndian => ("ply-le", Encoding::LittleEndian),
             Form::BigEndian => ("ply-be", Encoding::BigEndian),
         };
-        let shell = Shell::of_file(encoding, Shape::Ply(PlyShape::of_header(header)));
+        let shell = Shell::of_file(encoding, Shape::Ply(PlyShape::new(header, tables, &mesh)));
         Ok(Parsed { mesh, variant, notes, shell })
     }
 }

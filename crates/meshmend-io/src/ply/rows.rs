@@ -3,7 +3,7 @@
 use meshmend_core::{Id, VertexId};
 
 use crate::assemble::Parts;
-use crate::ply::columns::{Columns, skip_property};
+use crate::ply::columns::Columns;
 use crate::ply::data::{Data, RowReader};
 use crate::ply::header::{Element, Property};
 use crate::ply::table::Table;
@@ -87,6 +87,7 @@ pub(super) struct EdgeRows<'r> {
     pub(super) element: &'r Element,
     /// Which properties are the ends.
     pub(super) ends: [usize; 2],
+    pub(super) columns: &'r mut Columns,
     pub(super) parts: &'r mut Parts,
 }
 
@@ -96,7 +97,7 @@ impl RowReader for EdgeRows<'_> {
         for (column, property) in self.element.properties.iter().enumerate() {
             match self.ends.iter().position(|&end| end == column) {
                 Some(place) => ends[place] = self.end(property, data)?,
-                None => skip_property(property, data)?,
+                None => self.columns.read(self.element, column, data)?,
             }
         }
         self.parts.loose_edges.push(ends);
@@ -137,5 +138,18 @@ impl FaceRows<'_, '_> {
             None => Ok(()),
             Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
         }
+    }
+}
+
+/// Reads the rows of an element that is carried as it is.
+pub(super) struct TableRows<'r> {
+    pub(super) element: &'r Element,
+    pub(super) columns: &'r mut Columns,
+}
+
+impl RowReader for TableRows<'_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        (0..self.element.properties.len())
+            .try_for_each(|column| self.columns.read(self.element, column, data))
     }
 }

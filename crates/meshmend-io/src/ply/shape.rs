@@ -1,25 +1,58 @@
-//! What a PLY file's writer chose: the types that its header declares.
+//! What a PLY file's writer chose: which elements the header declares, with which properties, of which types, in which order.
 
-use crate::Prepared;
-use crate::ply::header::Header;
+use meshmend_core::{Layer, PolygonMesh};
+
+use crate::ply::columns::Columns;
+use crate::ply::header::{Element, Header};
 use crate::ply::scalar::Scalar;
+use crate::ply::{CORNER_PREFIX, GROUPS};
 use crate::shell::Shape;
+use crate::{Loss, LossKind, Prepared};
 
 /// What a PLY file's writer chose.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 pub(crate) struct PlyShape {
-    /// The type of the coordinates; the widest where they differ.
-    pub(super) position: Scalar,
+    pub(super) elements: Vec<Declared>,
+    /// The mesh as it was stored, if a table names its vertices or faces by number.
+    stored: Option<PolygonMesh>,
+}
+
+/// An element as a header declares it.
+#[derive(Debug, PartialEq)]
+pub(super) struct Declared {
+    pub(super) name: String,
+    pub(super) properties: Vec<DeclaredProperty>,
+    /// The rows, where nothing else is known of the element: it is carried as it is.
+    pub(super) table: Option<Rows>,
+}
+
+/// The rows of an element that is carried as it is: a layer a property, each of whose values is that of a row.
+#[derive(Debug, PartialEq)]
+pub(super) struct Rows {
+    pub(super) count: usize,
+    pub(super) columns: Vec<Layer>,
+}
+
+/// A property as a header declares it.
+#[derive(Debug, PartialEq)]
+pub(super) struct DeclaredProperty {
+    pub(super) name: String,
+    pub(super) length: Option<Scalar>,
+    pub(super) item: Scalar,
 }
 
 impl PlyShape {
-    /// What a header declares.
-    pub(super) fn of_header(header: &Header) -> Self {
-        let vertices = header.elements.iter().find(|element| element.name == "vertex");
-        let of_axis = |name: &str| vertices?.properties.iter().find(|property| property.name == name);
-        let is_double =
-            ["x", "y", "z"].iter().any(|axis| of_axis(axis).is_some_and(|p| p.item == Scalar::F64));
-        PlyShape { position: if is_double { Scalar::F64 } else { Scalar::F32 } }
+    /// What a header declares, with the rows of those elements that are carried as they are: the places of these in the
+    /// header, ascending, and their columns.
+    pub(super) fn new(header: &Header, tables: Vec<(usize, Columns)>, mesh: &PolygonMesh) -> Self {
+        let mut tables = tables.into_iter().peekable();
+        let declared = |(at, element): (usize, &Element)| {
+            let columns = tables.next_if(|(table, _)| *table == at).map(|(_, columns)| columns);
+            Declared::of(element, columns)
+        };
+        let elements: Vec<Declared> = header.elements.iter().enumerate().map(declared).collect();
+        let stored = elements.iter().any(Declared::names_elements).then(|| mesh.clone());
+        PlyShape { elements, stored }
     }
 
     /// The shape of the file that a mesh comes from, if that was a PLY.
@@ -29,4 +62,93 @@ impl PlyShape {
             _ => None,
         }
     }
+
+    /// The declaration of an element.
+    pub(super) fn element(&self, name: &str) -> Option<&Declared> {
+        self.elements.iter().find(|element| element.name == name)
+    }
+
+    /// Whether a property of vertices or faces is declared that a layer is written as.
+    pub(super) fn declares(&self, layer: &Layer) -> bool {
+        let is_member = |name: &str| {
+            GROUPS.iter().any(|group| group.layer == layer.name() && group.members.contains(&name))
+        };
+        let is_of_layer =
+            |name: &str| name.strip_prefix(CORNER_PREFIX).unwrap_or(name) == layer.name() || is_member(name);
+        let elements = ["vertex", "face"].into_iter().filter_map(|name| self.element(name));
+        elements.flat_map(|element| &element.properties).any(|property| is_of_layer(&property.name))
+    }
+
+    /// The loss of the elements that are carried as they are, in any other format.
+    pub(crate) fn table_losses(&self) -> Vec<Loss> {
+        let tables = self.elements.iter().filter_map(|element| Some((element, element.table.as_ref()?)));
+        let loss = |(element, rows): (&Declared, &Rows)| {
+            Loss::if_any(LossKind::Elements, rows.count, |count| {
+                format!("element `{}` of {}", element.name, rows_in_words(count))
+            })
+        };
+        tables.filter_map(loss).collect()
+    }
+
+    /// The tables that name vertices or faces by numbers which these no longer have.
+    pub(super) fn stale_losses(&self, written: &PolygonMesh) -> Vec<Loss> {
+        let Some(stored) = &self.stored else { return Vec::new() };
+        let bits = |mesh: &PolygonMesh| -> Vec<u64> {
+            mesh.positions().iter().flatten().map(|x| x.to_bits()).collect()
+        };
+        if stored.faces() == written.faces() && bits(stored) == bits(written) {
+            return Vec::new();
+        }
+        let stale = self.elements.iter().filter(|element| element.names_elements());
+        let loss = |element: &Declared| {
+            let count = element.table.as_ref().map_or(0, |rows| rows.count);
+            Loss::if_any(LossKind::StaleData, count, |count| {
+                let rows = rows_in_words(count);
+                format!(
+                    "element `{}` of {rows} is carried as it was, but vertices or faces that it names have other numbers now",
+                    element.name
+                )
+            })
+        };
+        stale.filter_map(loss).collect()
+    }
+}
+
+impl Declared {
+    fn of(element: &Element, columns: Option<Columns>) -> Self {
+        let properties = element.properties.iter().map(|property| DeclaredProperty {
+            name: property.name.clone(),
+            length: property.length,
+            item: property.item,
+        });
+        let table = columns
+            .map(|columns| Rows { count: element.count as usize, columns: columns.into_layers(element) });
+        Declared { name: element.name.clone(), properties: properties.collect(), table }
+    }
+
+    /// Whether it is carried as it is and has whole numbers that by their name are those of vertices or faces.
+    fn names_elements(&self) -> bool {
+        let is_number = |property: &DeclaredProperty| {
+            let name = property.name.to_ascii_lowercase();
+            let is_named = name.starts_with("face") || name.starts_with("vertex") && name.contains("ind");
+            is_named && !property.item.has_fractions()
+        };
+        self.table.is_some() && self.properties.iter().any(is_number)
+    }
+
+    /// A property's declaration, with its place.
+    pub(super) fn property(&self, name: &str) -> Option<(usize, &DeclaredProperty)> {
+        self.properties.iter().enumerate().find(|(_, property)| property.name == name)
+    }
+}
+
+/// The declarations alone: the mesh that is kept beside them is that of the same file.
+impl PartialEq for PlyShape {
+    fn eq(&self, other: &Self) -> bool {
+        self.elements == other.elements
+    }
+}
+
+fn rows_in_words(count: usize) -> String {
+    if count == 1 { "1 row".to_owned() } else { format!("{count} rows") }
 }

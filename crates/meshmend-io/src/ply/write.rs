@@ -2,22 +2,22 @@
 
 use std::io;
 
-use meshmend_core::{PolygonMesh, Values};
+use meshmend_core::{FaceId, Id, Layer, PolygonMesh, Values};
 
 use crate::layers::number;
-use crate::ply::plan::{Column, Plan, Shape, header_line, index};
+use crate::ply::plan::{Element, Plan, header_line};
+use crate::ply::property::{Property, Source, corner_values};
 use crate::ply::scalar::Scalar;
 use crate::sink::Sink;
 use crate::{Encoding, Prepared, WriteErrorKind};
 
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
-    let (mesh, encoding) = (&prepared.mesh, prepared.encoding);
     let plan = Plan::of(prepared);
-    let mut rows = Rows { sink: Sink::new(out), encoding, row_has_values: false };
-    header(mesh, &plan, encoding, &mut rows.sink)?;
-    rows.vertices(mesh, &plan)?;
-    rows.faces(mesh, &plan)?;
-    rows.edges(mesh)?;
+    let mut rows = Rows { sink: Sink::new(out), encoding: prepared.encoding, row_has_values: false };
+    header(&prepared.mesh, &plan, prepared.encoding, &mut rows.sink)?;
+    for element in &plan.elements {
+        rows.element(&prepared.mesh, element)?;
+    }
     Ok(rows.sink.finish()?)
 }
 
@@ -39,32 +39,15 @@ fn header(mesh: &PolygonMesh, plan: &Plan<'_>, encoding: Encoding, sink: &mut Si
         sink.byte(b'\n');
         sink.checkpoint()?;
     }
-    let counts = mesh.counts();
-    let mut text = format!("element vertex {}\n", counts.vertices);
-    for axis in ["x", "y", "z"] {
-        text += &format!("property {} {axis}\n", plan.position.name());
-    }
-    text.extend(plan.vertex.iter().map(declaration));
-    text += &format!("element face {}\n", counts.faces);
-    text += &format!("property list {} int vertex_indices\n", plan.degree.name());
-    text.extend(plan.face.iter().map(declaration));
-    if !mesh.loose_edges().is_empty() {
-        let edges = mesh.loose_edges().len();
-        text += &format!("element edge {edges}\nproperty int vertex1\nproperty int vertex2\n");
-    }
-    text += "end_header\n";
-    sink.bytes(text.as_bytes());
-    Ok(())
-}
-
-fn declaration(column: &Column<'_>) -> String {
-    let item = column.item.name();
-    match column.shape {
-        Shape::Component(_) => format!("property {item} {}\n", column.name),
-        Shape::List(length) | Shape::Corners(length) => {
-            format!("property list {} {item} {}\n", length.name(), column.name)
+    for element in &plan.elements {
+        sink.bytes(format!("element {} {}\n", element.name, element.count).as_bytes());
+        for property in &element.properties {
+            sink.bytes(property.declaration().as_bytes());
+            sink.checkpoint()?;
         }
     }
+    sink.bytes(b"end_header\n");
+    Ok(())
 }
 
 /// Writes values in one encoding.
@@ -75,71 +58,68 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    fn vertices(&mut self, mesh: &PolygonMesh, plan: &Plan<'_>) -> io::Result<()> {
-        for (vertex, point) in mesh.positions().iter().enumerate() {
-            point.iter().for_each(|&x| self.real(plan.position, x));
-            for column in &plan.vertex {
-                self.column(column, vertex, 0..0);
+    fn element(&mut self, mesh: &PolygonMesh, element: &Element<'_>) -> io::Result<()> {
+        if element.properties.is_empty() {
+            return Ok(());
+        }
+        for row in 0..element.count {
+            for property in &element.properties {
+                self.property(mesh, property, row);
             }
             self.end_row()?;
         }
         Ok(())
     }
 
-    fn faces(&mut self, mesh: &PolygonMesh, plan: &Plan<'_>) -> io::Result<()> {
-        let faces = mesh.faces();
-        for face in faces.faces() {
-            let vertices = faces.face_vertices(face);
-            self.whole(plan.degree, vertices.len() as i64);
-            vertices.iter().for_each(|&vertex| self.whole(Scalar::I32, index(vertex)));
-            for column in &plan.face {
-                self.column(column, face.0 as usize, faces.corner_range(face));
+    #[inline]
+    fn property(&mut self, mesh: &PolygonMesh, property: &Property<'_>, row: usize) {
+        let item = property.item;
+        match property.source {
+            Source::Coordinate(axis) => self.coordinate(item, mesh.positions()[row][axis]),
+            Source::Indices(length) => {
+                let vertices = mesh.faces().face_vertices(FaceId::new(row));
+                self.whole(length, vertices.len() as i64);
+                vertices.iter().for_each(|&vertex| self.whole(item, vertex.index() as i64));
             }
-            self.end_row()?;
-        }
-        Ok(())
-    }
-
-    fn edges(&mut self, mesh: &PolygonMesh) -> io::Result<()> {
-        for ends in mesh.loose_edges() {
-            ends.iter().for_each(|&vertex| self.whole(Scalar::I32, index(vertex)));
-            self.end_row()?;
-        }
-        Ok(())
-    }
-
-    fn column(&mut self, column: &Column<'_>, element: usize, corners: std::ops::Range<usize>) {
-        let (values, width) = (column.layer.values(), column.layer.width());
-        match column.shape {
-            Shape::Component(component) => {
-                let at = column.value_of(element).map(|value| value * width + component);
-                self.entry(column.item, values, at);
+            Source::End(end) => self.whole(item, mesh.loose_edges()[row][end].index() as i64),
+            Source::Component(layer, component) => {
+                let at = layer.value_of(row).map(|value| value * layer.width() + component);
+                self.entry(item, layer.values(), at);
             }
-            Shape::List(length) => {
-                let Values::Lists { starts, items } = values else { return };
-                let range = match column.value_of(element) {
-                    Some(value) => starts[value] as usize..starts[value + 1] as usize,
-                    None => 0..0,
-                };
-                self.whole(length, range.len() as i64);
-                range.for_each(|at| self.entry(column.item, items, Some(at)));
-            }
-            Shape::Corners(length) => {
-                let count = column.corner_values(corners.clone());
+            Source::List(layer, length) => self.list(layer, length, item, row),
+            Source::Corners(layer, length) => {
+                let corners = mesh.faces().corner_range(FaceId::new(row));
+                let count = corner_values(layer, corners.clone());
                 self.whole(length, count as i64);
                 if count > 0 {
-                    corners.for_each(|corner| self.corner(column, corner));
+                    corners.for_each(|corner| self.corner(layer, item, corner));
                 }
             }
         }
     }
 
-    fn corner(&mut self, column: &Column<'_>, corner: usize) {
-        let width = column.layer.width();
-        let value = column.value_of(corner);
-        (0..width).for_each(|i| {
-            self.entry(column.item, column.layer.values(), value.map(|value| value * width + i));
-        });
+    #[inline]
+    fn coordinate(&mut self, item: Scalar, x: f64) {
+        if item.has_fractions() {
+            self.real(item, x);
+        } else {
+            self.whole(item, x as i64);
+        }
+    }
+
+    fn list(&mut self, layer: &Layer, length: Scalar, item: Scalar, row: usize) {
+        let Values::Lists { starts, items } = layer.values() else { return };
+        let range = match layer.value_of(row) {
+            Some(value) => starts[value] as usize..starts[value + 1] as usize,
+            None => 0..0,
+        };
+        self.whole(length, range.len() as i64);
+        range.for_each(|at| self.entry(item, items, Some(at)));
+    }
+
+    fn corner(&mut self, layer: &Layer, item: Scalar, corner: usize) {
+        let (width, value) = (layer.width(), layer.value_of(corner));
+        (0..width).for_each(|i| self.entry(item, layer.values(), value.map(|value| value * width + i)));
     }
 
     /// An entry of a pool; for none at all NaN, or 0 in types that have no NaN.

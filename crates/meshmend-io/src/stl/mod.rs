@@ -35,7 +35,7 @@ pub(crate) static DRIVER: Driver = Driver {
     sniff,
     read,
     read_blocks,
-    prepare: |_| {},
+    prepare: |_| Ok(()),
     encode: write::encode,
     losses: write::losses,
 };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use meshmend_core::PolygonMesh;
 use meshmend_io::{
-    Encoding, Format, LossKind, ReadFile, ReadOptions, WriteOptions, encode, losses, read, read_bytes,
+    Format, LossKind, ReadFile, ReadOptions, Seams, WriteOptions, encode, losses, read, read_bytes,
 };
 use serde_json::Value;
 
@@ -142,10 +142,10 @@ fn same(one: &PolygonMesh, other: &PolygonMesh) -> Result<(), String> {
     if one.layers().len() == other.layers().len() { Ok(()) } else { differs("numbers of layers") }
 }
 
-fn rewritten(mesh: &PolygonMesh, format: Format, encoding: Encoding) -> ReadFile {
+fn rewritten(mesh: &PolygonMesh, options: &WriteOptions) -> ReadFile {
     let mut bytes = Vec::new();
-    encode(mesh, &WriteOptions::of(format).with_encoding(encoding), &mut bytes).unwrap();
-    let name = format!("rewritten.{}", format.extensions()[0]);
+    encode(mesh, options, &mut bytes).unwrap();
+    let name = format!("rewritten.{}", options.format.unwrap().extensions()[0]);
     read_bytes(&bytes, &name, &ReadOptions::default()).unwrap()
 }
 
@@ -158,13 +158,13 @@ fn what_is_read_and_written_in_the_same_format_is_read_again_to_the_bit() {
         let Ok(file) = read(&corpus.join(path), &ReadOptions::default()) else { continue };
         for &encoding in file.format.encodings() {
             // What the format can't carry is named; that equal points of a soup become one again is no change.
-            let options = WriteOptions::of(file.format).with_encoding(encoding);
+            let options = WriteOptions::of(file.format).with_encoding(encoding).as_read(&file);
             let losses = losses(&file.mesh, &options);
             if losses.iter().any(|loss| loss.kind != LossKind::SharedVertices) {
                 assert_eq!(file.format, Format::Stl, "{path} as {encoding}: {losses:?}");
                 continue;
             }
-            let again = rewritten(&file.mesh, file.format, encoding);
+            let again = rewritten(&file.mesh, &options);
             if let Err(reason) = same(&file.mesh, &again.mesh) {
                 wrong.push(format!("{path} as {encoding}: {reason}"));
             }
@@ -181,7 +181,9 @@ fn every_format_carries_faces_and_positions_of_every_file() {
         let Ok(file) = read(&corpus.join(path), &ReadOptions::default()) else { continue };
         for &format in Format::ALL.iter().filter(|&&format| format != Format::Stl) {
             for &encoding in format.encodings() {
-                let again = rewritten(&file.mesh, format, encoding);
+                // Split vertices have other faces and positions; what they are is asked elsewhere.
+                let options = WriteOptions { seams: Seams::Corners, ..WriteOptions::of(format) };
+                let again = rewritten(&file.mesh, &options.with_encoding(encoding));
                 assert_eq!(again.mesh.faces(), file.mesh.faces(), "{path} as {format} {encoding}");
                 let bits = |mesh: &PolygonMesh| -> Vec<u64> {
                     mesh.positions()

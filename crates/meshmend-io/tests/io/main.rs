@@ -10,5 +10,6 @@ mod obj;
 mod obj_kept;
 mod off;
 mod ply;
+mod ply_elsewhere;
 mod ply_rows;
 mod stl;

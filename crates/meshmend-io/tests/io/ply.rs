@@ -208,8 +208,8 @@ fn edges_become_loose_edges() {
     );
     let file = read(ascii(&header, "0 0 0\n1 0 0\n0 1 0\n5 1 0\n6 2 1\n"));
     assert_eq!(file.mesh.loose_edges(), [[VertexId(0), VertexId(1)], [VertexId(1), VertexId(2)]]);
-    let skipped = note(&file, NoteKind::LooseAttribute);
-    assert!(skipped.message.starts_with("property `"), "{skipped}");
+    let red = layer(&file.mesh, "red", Domain::LooseEdge);
+    assert_eq!((red.values(), file.notes.len()), (&Values::U8(vec![5, 6]), 0));
     assert_kept_in_all(&file.mesh);
 }
 

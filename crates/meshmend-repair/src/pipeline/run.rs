@@ -1,6 +1,6 @@
 //! What a pipeline has done so far.
 
-use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh, Provenance, VertexId};
+use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh, Provenance, VertexId, turned_normals};
 use meshmend_topology::TopologyReport;
 
 use super::{FaceStorage, PassRecord, RemovedFace, Repaired};
@@ -134,6 +134,7 @@ impl Run {
         removed_faces.retain(|removed| !survives[removed.face.0 as usize]);
         removed_faces.sort_by_key(|removed| removed.face);
         removed_faces.dedup_by_key(|removed| removed.face);
+        let turned_normals = turned_normals(self.history.stored(), &self.mesh, &provenance);
         let Run { mut mesh, mut passes, report, .. } = self;
         let mut provenance = provenance;
         if is_same {
@@ -143,7 +144,7 @@ impl Run {
                 provenance = Provenance::same(mesh.counts());
             }
         }
-        Repaired { mesh, provenance, passes, removed_faces, report, stitched }
+        Repaired { mesh, provenance, passes, removed_faces, turned_normals, report, stitched }
     }
 
     /// How many vertices the first pass joined to others that are apart from them in the result.

@@ -2,8 +2,8 @@
 
 use meshmend_core::{Defect, PolygonMesh};
 use meshmend_repair::{
-    AnyPass, Context, Duplicates, History, NonOrientable, Orient, PassError, PassKind, Pipeline, Plan,
-    Repaired, Side, SplitEdges, TriangulateFaces,
+    AnyPass, Context, History, NonOrientable, Orient, PassError, PassKind, Pipeline, Plan, Repaired, Side,
+    SplitEdges, TriangulateFaces,
 };
 use meshmend_testkit::laws::Change;
 use meshmend_testkit::{Soup, oracle, reference, shapes, worlds};
@@ -212,7 +212,7 @@ proptest! {
         non_orientable in select(vec![NonOrientable::Report, NonOrientable::Cut]),
     ) {
         let plan = plan(|plan| {
-            plan.orient = Orient { side: Side::Outward, non_orientable, duplicates: Duplicates::Keep };
+            plan.orient = Orient { side: Side::Outward, non_orientable, ..Orient::default() };
         });
         let repaired = plan.pipeline().run(&soup.mesh()).unwrap();
         assert_clean(&repaired);

@@ -37,6 +37,8 @@ pub struct RepairDocument {
     pub removed_faces: RemovedFaces,
     /// The faces of the result that run the other way round than as stored.
     pub flipped_faces: Listing<FaceId>,
+    /// How many stored normals turned with their faces.
+    pub turned_normals: u64,
     /// The vertices of the result that were not stored.
     pub created_vertices: Listing<VertexId>,
     /// What the written format can't carry.
@@ -148,6 +150,7 @@ impl RepairDocument {
             passes: repaired.passes.iter().map(|record| PassDocument::new(record, limit)).collect(),
             removed_faces: RemovedFaces::new(&repaired.removed_faces, limit),
             flipped_faces: Listing::cut(repaired.provenance.flipped.iter().copied(), limit),
+            turned_normals: repaired.turned_normals as u64,
             created_vertices: Listing::cut(created.map(|&(vertex, _)| vertex), limit),
             losses: Vec::new(),
             provenance: None,
