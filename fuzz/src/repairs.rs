@@ -32,6 +32,10 @@ pub fn repair(data: &[u8]) {
     if !is_exact_in_doubles(&soup) {
         return;
     }
+    // What faces with holes are cut into is this program's own choice.
+    if !reference::faces_with_holes(&reference::exact_positions(&soup), &soup.faces).is_empty() {
+        return;
+    }
     for (edges, split) in
         [(SplitEdges::Sheets, reference::Split::Sheets), (SplitEdges::Cut, reference::Split::Cut)]
     {

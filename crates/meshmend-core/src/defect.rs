@@ -21,6 +21,10 @@ pub enum Defect {
     DegenerateFace { face: FaceId },
     /// A face that comes back to a vertex.
     NonSimpleFace { face: FaceId, vertex: VertexId },
+    /// A face that comes back to a vertex round a hole, so that splitting it there would fill the hole.
+    FaceWithHole { face: FaceId, vertex: VertexId },
+    /// A face that has a hole by the way its parts turn, but crosses itself.
+    CrossingFace { face: FaceId, vertex: VertexId },
     /// A face that lists a vertex twice in a row, or walks to a vertex and straight back.
     RepeatedCorner { face: FaceId, vertex: VertexId },
     /// A face whose directed cycle of vertices an earlier face has too.
@@ -117,7 +121,15 @@ kinds! {
          nothing. It takes no part in the complex that is analysed. `clean` removes it and names it."
     NonSimpleFace "non-simple-face" Defect "non-simple faces"
         "The face has three or more different vertices but comes back to one of them: its rim touches itself. \
-         Most data structures can't hold it. `clean` splits it into simple faces at the repeated vertex."
+         Most data structures can't hold it. `clean` splits it into simple faces at the repeated vertex, or, if it \
+         has a hole, cuts it along diagonals."
+    FaceWithHole "face-with-hole" Defect "faces with holes"
+        "The face comes back to a vertex round a hole: a part of it turns against the whole, as where a bridge leads \
+         from the rim to a hole and back. Splitting it at the vertex would fill the hole, so `clean` cuts it along \
+         diagonals between its own corners."
+    CrossingFace "crossing-face" Defect "faces that cross themselves"
+        "The face comes back to a vertex, and a part of it turns against the whole as round a hole, but it crosses \
+         itself so that no diagonals cut it into simple faces. `clean` splits it at the repeated vertex."
     RepeatedCorner "repeated-corner" Note "faces with repeated corners or spikes"
         "The face lists a vertex twice in a row (a a b c), or walks to a vertex and straight back (a b a c). The \
          extra corners bound nothing; `clean` drops them and keeps the face."
@@ -189,6 +201,10 @@ impl fmt::Display for Defect {
         match self {
             Defect::DegenerateFace { face } => write!(f, "{face} has fewer than three different vertices"),
             Defect::NonSimpleFace { face, vertex } => write!(f, "{face} comes back to {vertex}"),
+            Defect::FaceWithHole { face, vertex } => write!(f, "{face} comes back to {vertex} round a hole"),
+            Defect::CrossingFace { face, vertex } => {
+                write!(f, "{face} comes back to {vertex} and crosses itself")
+            }
             Defect::RepeatedCorner { face, vertex } => write!(f, "{face} repeats {vertex}"),
             Defect::DuplicateFace { face, original } => write!(f, "{face} is {original} again"),
             Defect::OppositeFace { face, original } => write!(f, "{face} is {original} the other way round"),

@@ -95,6 +95,8 @@ fn every_defect_says_where_it_is() {
     let cases = vec![
         (Defect::DegenerateFace { face }, "f1 has fewer than three different vertices"),
         (Defect::NonSimpleFace { face, vertex }, "f1 comes back to v3"),
+        (Defect::FaceWithHole { face, vertex }, "f1 comes back to v3 round a hole"),
+        (Defect::CrossingFace { face, vertex }, "f1 comes back to v3 and crosses itself"),
         (Defect::RepeatedCorner { face, vertex }, "f1 repeats v3"),
         (Defect::DuplicateFace { face, original: FaceId(0) }, "f1 is f0 again"),
         (Defect::OppositeFace { face, original: FaceId(0) }, "f1 is f0 the other way round"),
@@ -124,6 +126,8 @@ fn every_defect_says_where_it_is() {
         Defect {
             DegenerateFace,
             NonSimpleFace,
+            FaceWithHole,
+            CrossingFace,
             RepeatedCorner,
             DuplicateFace,
             OppositeFace,

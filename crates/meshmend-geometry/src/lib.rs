@@ -1,6 +1,13 @@
 //! The geometry that repairs and writers share: it knows points, and nothing of passes or files.
 //!
-//! [`polygon`] cuts one polygon in space into triangles; [`vector`] is the arithmetic of points in doubles.
+//! [`FaceCutter`] cuts faces of a mesh into triangles; [`polygon`] cuts one polygon in space into triangles, or at its
+//! holes; [`words`] tells the simple loops of a face; [`vector`] is the arithmetic of points in doubles; [`sorting`] sorts
+//! by exact predicates, which may contradict themselves where numbers underflow.
 
+mod face_cutter;
 pub mod polygon;
+pub mod sorting;
 pub mod vector;
+pub mod words;
+
+pub use face_cutter::{FaceCutter, OnDiagonal, Room};

@@ -5,12 +5,14 @@
 //!
 //! 1. Faces with a corner whose position is not finite go (policy: drop, keep or fail).
 //! 2. Consecutive repeats and spikes are folded away.
-//! 3. A face that comes back to a vertex is split there into simple faces; what has fewer than three corners goes.
+//! 3. A face that comes back to a vertex is split there into simple faces; what has fewer than three corners goes. But if
+//!    it has a hole (some part of it turns against the whole), it is cut along diagonals, so that nothing is filled.
 //! 4. Of faces with the same directed cycle of vertices *as stored* the first stays.
 //!
 //! *Promises* no degenerate or non-simple face, no non-finite face (unless kept), no repeat as stored. *Requires*
-//! nothing. *May introduce* boundary edges and what follows from them where a face went, and parts of faces that are
-//! another face again. *Cost*: O(n log n). *Source*: the multiple-incidence repairs of A. Bærentzen, *On the Topology
+//! nothing. *May introduce* boundary edges and what follows from them where a face went, parts of faces that are
+//! another face again, and a non-manifold edge where faces with holes leave a diagonal no other place. *Cost*:
+//! O(n log n); as for [`Triangulate`](crate::Triangulate) in faces with holes. *Source*: the multiple-incidence repairs of A. Bærentzen, *On the Topology
 //! of Polygonal Meshes*, 2025.
 
 use std::borrow::Cow;
@@ -19,15 +21,17 @@ use meshmend_core::{
     CornerId, Defect, DefectKind, Draft, FaceId, FaceTable, FaceTableBuilder, Id, PolygonMesh, Sources,
     VertexId, distinct_count,
 };
+use meshmend_geometry::words::{Loops, WordSplitter};
 use meshmend_topology::TopologyReport;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::words::WordSplitter;
 use crate::{Context, Outcome, Pass, PassError};
 
+mod holes;
 mod repeats;
 
+use holes::{HoleCutter, Parts};
 use repeats::repeats;
 
 /// Makes every face a simple polygon with finite corners, and drops repeated ones.
@@ -81,6 +85,9 @@ impl Pass for Clean {
             // A part of a face may be another face, either way round.
             DefectKind::DuplicateFace,
             DefectKind::OppositeFace,
+            // Where a diagonal has no other place, or faces with the same hole are the same by position only.
+            DefectKind::NonManifoldEdge,
+            DefectKind::SingularVertex,
         ]
     }
 
@@ -130,7 +137,7 @@ impl Clean {
         if faces.faces().all(|face| is_simple(face) && bad_vertex(face).is_none()) {
             return Ok(Pieces { faces, listed: None, mended: Vec::new() });
         }
-        let mut splitter = None;
+        let (mut splitter, mut holes) = (None, None);
         let mut listed = Listed::with_capacity(faces.face_count(), faces.corner_count());
         let (mut mended, mut non_finite) = (Vec::new(), Vec::new());
         for face in faces.faces() {
@@ -147,8 +154,13 @@ impl Clean {
             }
             let splitter = splitter.get_or_insert_with(|| WordSplitter::new(faces.vertex_count()));
             let found = splitter.split(vertices);
-            mended.push(what_was_wrong(face, vertices, found.repeated, found.loops.is_empty()));
-            for corners in found.loops {
+            let parts = match found.loops.len() {
+                0 | 1 => Parts::Loops,
+                _ => holes.get_or_insert_with(|| HoleCutter::new(mesh)).parts(vertices, &found),
+            };
+            mended.push(what_was_wrong(face, vertices, &found, &parts));
+            let pieces = if let Parts::Pieces(pieces) = parts { pieces } else { found.loops };
+            for corners in pieces {
                 listed.push(face, corners.into_iter().map(|place| CornerId::new(range.start + place)));
             }
         }
@@ -172,11 +184,13 @@ fn is_simple(vertices: &[VertexId]) -> bool {
     }
 }
 
-fn what_was_wrong(face: FaceId, vertices: &[VertexId], repeated: Option<VertexId>, is_gone: bool) -> Defect {
-    match (is_gone, repeated) {
-        (true, _) => Defect::DegenerateFace { face },
-        (false, Some(vertex)) => Defect::NonSimpleFace { face, vertex },
-        (false, None) => {
+fn what_was_wrong(face: FaceId, vertices: &[VertexId], found: &Loops, parts: &Parts) -> Defect {
+    match (found.loops.is_empty(), found.repeated, parts) {
+        (true, ..) => Defect::DegenerateFace { face },
+        (false, Some(vertex), Parts::Loops) => Defect::NonSimpleFace { face, vertex },
+        (false, Some(vertex), Parts::Pieces(_)) => Defect::FaceWithHole { face, vertex },
+        (false, Some(vertex), Parts::Crossing) => Defect::CrossingFace { face, vertex },
+        (false, None, _) => {
             let mut places: Vec<(VertexId, usize)> = vertices.iter().copied().zip(0..).collect();
             places.sort_unstable();
             let again = places.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1).min();

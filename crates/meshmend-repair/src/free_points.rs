@@ -4,11 +4,10 @@
 //! vertex of the result has that position once it is stored in the result's precision, nor is so near that the
 //! pipeline's weld would join the two.
 //!
-//! * On an edge: the first free point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way.
-//! * In a face: its mean, or the first free point of the same parts of the way from there to a corner.
-//! * If none is free: the first free point beside the middle, along the axis in which the edge or the face is
-//!   shortest, one step away, two steps away, and so on. A step is one unit in the last place, or twice the weld's
-//!   tolerance. There always is such a point.
+//! * On an edge or a diagonal: the first free point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way.
+//! * If none is free: the first free point beside the middle, along the axis in which the edge is shortest, one step
+//!   away, two steps away, and so on. A step is one unit in the last place, or twice the weld's tolerance. There always
+//!   is such a point.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -113,44 +112,28 @@ impl FreePoints {
 
     /// The first free point on an edge, or beside it, which is then taken; and its place on the edge.
     pub(crate) fn on_edge(&mut self, [low, high]: [Point; 2]) -> (Point, (u32, u32)) {
-        let part = |i: usize, (n, d): (u32, u32)| low[i] + (high[i] - low[i]) * f64::from(n) / f64::from(d);
-        let at = |ratio| -> Point { std::array::from_fn(|i| part(i, ratio)) };
-        if let Some((point, ratio)) = self.first_free(ratios().map(|ratio| (at(ratio), ratio))) {
+        if let Some((point, ratio)) = self.first_free([low, high]) {
+            self.taken.insert(point);
             return (point, ratio);
         }
-        let middle = Some(at((1, 2))).filter(is_finite).unwrap_or_else(|| mean(&[low, high]));
+        let middle = Some(part_of_the_way([low, high], (1, 2)))
+            .filter(is_finite)
+            .unwrap_or_else(|| mean(&[low, high]));
         let extent = std::array::from_fn(|i| (high[i] - low[i]).abs());
         (self.beside_middle(middle, shortest_axis(extent)), (1, 2))
     }
 
-    /// The first free point in a face, or beside it, which is then taken.
-    pub(crate) fn in_face(&mut self, corners: &[Point]) -> Point {
-        let middle = mean(corners);
-        let toward = |&corner: &Point, (n, d): (u32, u32)| -> Point {
-            let share = f64::from(n) / f64::from(d);
-            std::array::from_fn(|i| middle[i] * (1.0 - share) + corner[i] * share)
-        };
-        let beside =
-            ratios().flat_map(|ratio| corners.iter().map(move |corner| (toward(corner, ratio), ratio)));
-        let candidates = std::iter::once((middle, (0, 1))).chain(beside);
-        if let Some((point, _)) = self.first_free(candidates) {
-            return point;
-        }
-        let least = |i: usize| corners.iter().fold(f64::INFINITY, |least, p| least.min(p[i]));
-        let most = |i: usize| corners.iter().fold(f64::NEG_INFINITY, |most, p| most.max(p[i]));
-        self.beside_middle(middle, shortest_axis(std::array::from_fn(|i| most(i) - least(i))))
+    /// Whether some point on an edge is free.
+    pub(crate) fn is_room_on_edge(&self, ends: [Point; 2]) -> bool {
+        self.first_free(ends).is_some()
     }
 
-    fn first_free(
-        &mut self,
-        mut candidates: impl Iterator<Item = (Point, (u32, u32))>,
-    ) -> Option<(Point, (u32, u32))> {
+    fn first_free(&self, ends: [Point; 2]) -> Option<(Point, (u32, u32))> {
         let mut last_two = [None; 2];
-        let found = candidates.find_map(|(point, ratio)| {
-            let point = self.clearance.precision.round(point);
+        ratios().find_map(|ratio| {
+            let point = self.clearance.precision.round(part_of_the_way(ends, ratio));
             (is_finite(&point) && self.taken.is_free(point, &mut last_two)).then_some((point, ratio))
-        });
-        found.inspect(|&(point, _)| self.taken.insert(point))
+        })
     }
 
     /// The first free point so many steps from a middle along an axis.
@@ -221,6 +204,10 @@ impl Taken {
             }
         }
     }
+}
+
+fn part_of_the_way([low, high]: [Point; 2], (n, d): (u32, u32)) -> Point {
+    std::array::from_fn(|i| low[i] + (high[i] - low[i]) * f64::from(n) / f64::from(d))
 }
 
 /// 1/2, 1/3, 2/3, 1/4, … 63/64.
@@ -355,17 +342,6 @@ mod tests {
         let (point, _) = free.on_edge(wide);
         assert_eq!(Precision::Single.round(point), point);
         assert!(point[0] > 1e6, "{point:?}");
-    }
-
-    #[test]
-    fn a_face_has_room_at_its_mean_then_halfway_to_a_corner_then_nearer_then_beside() {
-        let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
-        let mut free = beside(Clearance::default(), &corners);
-        let found: Vec<Point> = (0..6).map(|_| free.in_face(&corners)).collect();
-        assert_eq!(found[..3], [[2.0, 2.0, 0.0], [1.0, 1.0, 0.0], [3.0, 1.0, 0.0]]);
-        assert!((found[5][0] - 4.0 / 3.0).abs() < 1e-12, "{found:?}");
-        let mut crowded = beside(clearance(Precision::Double, 5.0), &corners);
-        assert_eq!(crowded.in_face(&corners), [2.0, 2.0, 10.0]);
     }
 
     #[test]

@@ -30,7 +30,6 @@ mod split;
 mod triangulate;
 mod volume;
 mod weld;
-mod words;
 
 pub use clean::{Clean, NonFinite};
 pub use coincident::coincident_vertices;

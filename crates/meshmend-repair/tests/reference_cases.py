@@ -1,4 +1,5 @@
-"""Random meshes with what the reference pipeline makes of them, one JSON object a line.
+"""Random meshes with what the reference pipeline makes of them, one JSON object a line; not to be compared where there
+are faces with holes.
 
     reference_cases.py REFERENCE_FOLDER FIRST_SEED COUNT
 """

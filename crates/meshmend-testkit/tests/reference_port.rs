@@ -7,7 +7,10 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use meshmend_testkit::reference::{Inserted, Point, Repaired, Split, broken_postconditions, repair};
+use meshmend_testkit::reference::{
+    Inserted, Point, Repaired, Split, broken_postconditions, faces_with_holes, hole_faults, loops_of, repair,
+    word_of,
+};
 use num_rational::BigRational;
 use serde_json::Value;
 
@@ -28,6 +31,12 @@ def result(positions, faces, split):
     once["positions"] = [point(p) for p in once["positions"]]
     return once
 
+def faults(positions, faces, f):
+    first_at = {}
+    welded = [i if p is None else first_at.setdefault(p, i) for i, p in enumerate(positions)]
+    word = reference.fold_spikes([welded[v] for v in faces[f]], lambda v: v)
+    return len(reference.hole_faults(positions, word, reference.simple_loops(word, lambda v: v)))
+
 for seed in range(int(sys.argv[2])):
     positions, faces = reference.random_mesh(random.Random(seed))
     print(json.dumps({
@@ -36,6 +45,7 @@ for seed in range(int(sys.argv[2])):
         "broken": sorted(reference.broken_postconditions(positions, faces)),
         "sheets": result(positions, faces, "sheets"),
         "cut": result(positions, faces, "cut"),
+        "holes": [[f, faults(positions, faces, f)] for f in reference.faces_with_holes(positions, faces)],
     }))
 "#;
 
@@ -51,6 +61,14 @@ fn the_port_gives_what_the_reference_gives() {
             assert_eq!(found, repaired(&case[policy]), "seed {seed}, {policy}");
             assert_eq!(broken_postconditions(found.positions.len(), &found.faces), [""; 0], "seed {seed}");
         }
+        let holes: Vec<(u32, usize)> = faces_with_holes(&positions, &faces)
+            .into_iter()
+            .map(|f| {
+                let word = word_of(&positions, &faces[f as usize]);
+                (f, hole_faults(&positions, &word, &loops_of(&word)).len())
+            })
+            .collect();
+        assert_eq!(serde_json::to_value(holes).unwrap(), case["holes"], "seed {seed}");
         let mut broken = broken_postconditions(positions.len(), &faces);
         broken.sort();
         assert_eq!(serde_json::to_value(broken).unwrap(), case["broken"], "seed {seed}");

@@ -293,6 +293,8 @@ impl Named {
                 | Defect::DuplicateFace { face, .. }
                 | Defect::OppositeFace { face, .. }
                 | Defect::NonSimpleFace { face, .. }
+                | Defect::FaceWithHole { face, .. }
+                | Defect::CrossingFace { face, .. }
                 | Defect::RepeatedCorner { face, .. } => {
                     named.faces.entry(face).or_default().insert(defect.kind());
                 }

@@ -2,10 +2,12 @@
 //! Rust, step for step and in its order.
 //!
 //! Weld is exact, orient is `majority`/`report`, split is `sheets` or `cut`, and triangulate is off; attributes and
-//! tolerance are left to the program. Results are to be compared face by face, up to rotation of a face's corners.
+//! tolerance are left to the program. Results are to be compared face by face, up to rotation of a face's corners; not
+//! where there are [`faces_with_holes`], whose pieces are judged by their [`hole_faults`].
 
 mod corners;
 mod duplicates;
+mod holes;
 mod matching;
 mod orient;
 mod postconditions;
@@ -19,6 +21,7 @@ use num_rational::BigRational;
 
 use crate::Soup;
 use corners::{fold_spikes, simple_loops};
+pub use holes::{faces_with_holes, hole_faults, loops_of, word_of};
 pub use postconditions::broken_postconditions;
 
 /// An exact point; none where a coordinate is not finite.

@@ -153,21 +153,21 @@ impl Pipeline {
     }
 }
 
-fn minus(a: &Vector, b: &Vector) -> Vector {
+pub(super) fn minus(a: &Vector, b: &Vector) -> Vector {
     [0, 1, 2].map(|i| &a[i] - &b[i])
 }
 
-fn plus(a: &Vector, b: &Vector) -> Vector {
+pub(super) fn plus(a: &Vector, b: &Vector) -> Vector {
     [0, 1, 2].map(|i| &a[i] + &b[i])
 }
 
-fn cross(a: &Vector, b: &Vector) -> Vector {
+pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
     [0, 1, 2].map(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         &a[j] * &b[k] - &a[k] * &b[j]
     })
 }
 
-fn dot(a: &Vector, b: &Vector) -> BigRational {
+pub(super) fn dot(a: &Vector, b: &Vector) -> BigRational {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }

@@ -165,6 +165,8 @@ impl DefectList {
             // What only some kernel, some pass or a look at positions finds.
             DefectKind::PolygonFace
             | DefectKind::NonFiniteFace
+            | DefectKind::FaceWithHole
+            | DefectKind::CrossingFace
             | DefectKind::SeamEdge
             | DefectKind::CoincidentEdges
             | DefectKind::CoincidentVertex => Box::new(std::iter::empty()),

@@ -73,6 +73,8 @@ fn vertices(defect: &Defect, mesh: &PolygonMesh) -> Vec<VertexId> {
     match defect {
         Defect::DegenerateFace { face }
         | Defect::NonSimpleFace { face, .. }
+        | Defect::FaceWithHole { face, .. }
+        | Defect::CrossingFace { face, .. }
         | Defect::RepeatedCorner { face, .. }
         | Defect::DuplicateFace { face, .. }
         | Defect::OppositeFace { face, .. }
@@ -119,6 +121,8 @@ mod tests {
         let cases = [
             (Defect::DegenerateFace { face }, whole_face.clone()),
             (Defect::NonSimpleFace { face, vertex }, whole_face.clone()),
+            (Defect::FaceWithHole { face, vertex }, whole_face.clone()),
+            (Defect::CrossingFace { face, vertex }, whole_face.clone()),
             (Defect::RepeatedCorner { face, vertex }, whole_face.clone()),
             (Defect::DuplicateFace { face, original: FaceId(0) }, whole_face.clone()),
             (Defect::OppositeFace { face, original: FaceId(0) }, whole_face.clone()),

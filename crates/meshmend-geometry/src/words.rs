@@ -11,36 +11,40 @@ const NOWHERE: u32 = u32::MAX;
 
 /// Splits faces into simple loops; keeps its memory from face to face.
 #[derive(Default)]
-pub(crate) struct WordSplitter {
+pub struct WordSplitter {
     /// For each vertex its place in the loop that is being read.
     place: Column<VertexId, u32>,
 }
 
 /// What became of a face's word.
-pub(crate) struct Loops {
+pub struct Loops {
+    /// The face without consecutive repeats and spikes, as places in it.
+    pub word: Vec<usize>,
     /// Each simple loop of three corners or more, as places in the face; inner loops first.
-    pub(crate) loops: Vec<Vec<usize>>,
+    pub loops: Vec<Vec<usize>>,
     /// A vertex that the word came back to after spikes were folded.
-    pub(crate) repeated: Option<VertexId>,
+    pub repeated: Option<VertexId>,
 }
 
 impl WordSplitter {
-    pub(crate) fn new(vertex_count: usize) -> Self {
+    /// A splitter of faces whose vertices are below a number.
+    ///
+    /// *Cost*: 4 bytes a vertex.
+    pub fn new(vertex_count: usize) -> Self {
         WordSplitter { place: Column::filled(NOWHERE, vertex_count) }
     }
 
     /// The simple loops of a face.
     ///
     /// *Cost*: linear in its corners.
-    pub(crate) fn split(&mut self, vertices: &[VertexId]) -> Loops {
-        let word = folded(vertices);
-        self.simple_loops(&word, vertices)
+    pub fn split(&mut self, vertices: &[VertexId]) -> Loops {
+        self.simple_loops(folded(vertices), vertices)
     }
 
     /// Reads the word onto a stack; where a letter recurs, what was read since its first place is a loop.
-    fn simple_loops(&mut self, word: &[usize], vertices: &[VertexId]) -> Loops {
+    fn simple_loops(&mut self, word: Vec<usize>, vertices: &[VertexId]) -> Loops {
         let (mut found, mut repeated, mut stack) = (Vec::new(), None, Vec::<usize>::new());
-        for &corner in word {
+        for &corner in &word {
             let first = self.place[vertices[corner]];
             if first == NOWHERE {
                 self.place[vertices[corner]] = stack.len() as u32;
@@ -57,7 +61,7 @@ impl WordSplitter {
         stack.iter().for_each(|&corner| self.place[vertices[corner]] = NOWHERE);
         found.push(stack);
         found.retain(|corners| corners.len() >= 3);
-        Loops { loops: found, repeated }
+        Loops { word, loops: found, repeated }
     }
 }
 
