@@ -12,12 +12,14 @@
 //! are the face layer `attribute` if one of them is not 0.
 //!
 //! **Text.** Words in any case, parted by any blanks and line ends. A facet with more than three vertices is a
-//! polygon; with fewer it is an error. The name of a single solid is metadata `solid`; different ones of
+//! polygon; with fewer it is an error. Polygons are cut into triangles, as the repair cuts them, before they are
+//! written. The name of a single solid is metadata `solid`; different ones of
 //! several solids are the face layer `object`. A missing `endsolid` after a whole facet is noted.
 
 mod binary;
 mod facets;
 mod plain;
+mod triangles;
 mod write;
 
 use std::io::{self, Read};
@@ -35,7 +37,7 @@ pub(crate) static DRIVER: Driver = Driver {
     sniff,
     read,
     read_blocks,
-    prepare: |_| Ok(()),
+    prepare: triangles::cut_polygons,
     encode: write::encode,
     losses: write::losses,
 };

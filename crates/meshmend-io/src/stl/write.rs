@@ -1,4 +1,4 @@
-//! The STL writer: a fan of triangles a face.
+//! The STL writer.
 
 use std::io;
 
@@ -23,13 +23,13 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
 fn write_binary(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErrorKind> {
     let faces = mesh.faces();
     // A mesh has fewer than 2³¹ corners, and more of them than triangles.
-    let count: u32 = faces.faces().map(|f| faces.corner_range(f).len().saturating_sub(2) as u32).sum();
+    let count = faces.faces().filter(|&face| triangle(mesh, face).is_some()).count() as u32;
     sink.bytes(&header(mesh));
     sink.bytes(&count.to_le_bytes());
     let attribute = attribute_layer(mesh);
     for face in faces.faces() {
         let attribute = attribute.and_then(|(layer, values)| Some(values[layer.value_of(face.index())?]));
-        for [a, b, c] in fan(mesh, face) {
+        if let Some([a, b, c]) = triangle(mesh, face) {
             let points = [single(mesh, a), single(mesh, b), single(mesh, c)];
             sink.bytes(&facet(normal(points), points, attribute.unwrap_or(0)));
         }
@@ -80,7 +80,7 @@ fn write_text(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErrorK
             statement(sink, b"solid", name);
             open = Some(name);
         }
-        for triangle in fan(mesh, face) {
+        if let Some(triangle) = triangle(mesh, face) {
             text_facet(sink, triangle.map(|v| single(mesh, v)));
         }
         sink.checkpoint()?;
@@ -136,10 +136,9 @@ fn numbers(sink: &mut Sink<'_>, numbers: [f32; 3]) {
     sink.byte(b'\n');
 }
 
-/// The triangles from a face's first corner to each side that does not touch it.
-fn fan(mesh: &PolygonMesh, face: FaceId) -> impl Iterator<Item = [VertexId; 3]> + '_ {
-    let vertices = mesh.faces().face_vertices(face);
-    vertices.windows(2).skip(1).map(|side| [vertices[0], side[0], side[1]])
+/// The vertices of a face, unless it has fewer than three corners.
+fn triangle(mesh: &PolygonMesh, face: FaceId) -> Option<[VertexId; 3]> {
+    mesh.faces().face_vertices(face).try_into().ok()
 }
 
 fn single(mesh: &PolygonMesh, vertex: VertexId) -> [f32; 3] {
@@ -210,7 +209,7 @@ fn name_losses(mesh: &PolygonMesh, is_text: bool) -> Option<Loss> {
 
 fn geometry_losses(mesh: &PolygonMesh) -> Vec<Loss> {
     let faces = mesh.faces();
-    let sizes = || faces.faces().map(|face| faces.corner_range(face).len());
+    let sizes = faces.faces().map(|face| faces.corner_range(face).len());
     let mut used = vec![false; mesh.counts().vertices];
     let kept = faces.faces().filter(|&face| faces.corner_range(face).len() > 2);
     kept.for_each(|face| faces.face_vertices(face).iter().for_each(|v| used[v.index()] = true));
@@ -220,10 +219,7 @@ fn geometry_losses(mesh: &PolygonMesh) -> Vec<Loss> {
     let is_rounded = |p: &&[f64; 3]| p.iter().any(|&x| f64::from(x as f32) != x && !x.is_nan());
     let rounded = positions().filter(is_rounded).count();
     [
-        Loss::if_any(LossKind::Polygons, sizes().filter(|&n| n > 3).count(), |n| {
-            format!("{n} faces of more than three corners are cut into triangles")
-        }),
-        Loss::if_any(LossKind::ShortFaces, sizes().filter(|&n| n < 3).count(), |n| {
+        Loss::if_any(LossKind::ShortFaces, sizes.filter(|&n| n < 3).count(), |n| {
             format!("{n} faces of fewer than three corners")
         }),
         Loss::if_any(LossKind::UnusedVertices, unused, |n| format!("{n} vertices that no face uses")),

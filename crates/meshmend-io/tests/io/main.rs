@@ -13,3 +13,4 @@ mod ply;
 mod ply_elsewhere;
 mod ply_rows;
 mod stl;
+mod stl_polygons;

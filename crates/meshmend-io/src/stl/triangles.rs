@@ -1,0 +1,173 @@
+//! Polygons cut into triangles before they are written, as the repair cuts them.
+
+use std::collections::BTreeSet;
+use std::io;
+
+use meshmend_core::{FaceId, Id, PolygonMesh, VertexId, distinct_count};
+use meshmend_geometry::polygon::{Polygon, has_hole, simple_pieces};
+use meshmend_geometry::vector::Point;
+use meshmend_geometry::words::WordSplitter;
+use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
+
+use crate::{Encoding, Loss, LossKind, Prepared, WriteErrorKind};
+
+/// Cuts every face of more than three corners into triangles that repeat no edge by position, and names what that loses.
+/// Faces that come back to a point are split there, or, if they have a hole, cut so that it stays open.
+///
+/// # Errors
+/// When there are more triangles than a table holds.
+///
+/// *Cost*: that of the repair's `triangulate`, if there is such a face.
+pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
+    let mesh = prepared.mesh.clone();
+    let is_polygon = |face: FaceId| mesh.faces().corner_range(face).len() > 3;
+    if mesh.faces().is_all_triangles() || !mesh.faces().faces().any(is_polygon) {
+        return Ok(());
+    }
+    let lowest = lowest_in_place(mesh.positions());
+    let mut cutter = FaceCutter::new(&mesh, &lowest);
+    let mut room = BesideMesh { mesh: &mesh, encoding: prepared.encoding, taken: None, created: 0 };
+    let mut simplifier = Simplifier { mesh: &mesh, lowest: &lowest, splitter: None, found: Found::default() };
+    for face in mesh.faces().faces() {
+        if is_polygon(face) {
+            let pieces = simplifier.pieces(face, &cutter);
+            cutter.cut(face, &pieces, &mut room);
+        } else {
+            cutter.keep(face);
+        }
+    }
+    let (found, created) = (simplifier.found, room.created);
+    prepared.mesh = mesh.rebuild(cutter.into_draft().map_err(io::Error::other)?)?.0;
+    prepared.losses.extend(found.losses(created));
+    Ok(())
+}
+
+/// For each vertex the lowest one at the same position; what is not finite equals nothing.
+fn lowest_in_place(positions: &[[f64; 3]]) -> Vec<VertexId> {
+    let mut lowest: Vec<VertexId> = (0..positions.len()).map(VertexId::new).collect();
+    let mut order: Vec<VertexId> =
+        lowest.iter().copied().filter(|v| positions[v.index()].iter().all(|x| x.is_finite())).collect();
+    order.sort_unstable_by_key(|&vertex| (place(positions[vertex.index()]), vertex));
+    for run in order.chunk_by(|one, other| place(positions[one.index()]) == place(positions[other.index()])) {
+        run.iter().for_each(|vertex| lowest[vertex.index()] = run[0]);
+    }
+    lowest
+}
+
+/// A position as bits, −0 being 0.
+fn place(point: [f64; 3]) -> [u64; 3] {
+    point.map(|x| (x + 0.0).to_bits())
+}
+
+/// Faces as simple pieces.
+struct Simplifier<'a> {
+    mesh: &'a PolygonMesh,
+    lowest: &'a [VertexId],
+    splitter: Option<WordSplitter>,
+    found: Found,
+}
+
+/// How many faces of more than three corners there are, and of what kind.
+#[derive(Clone, Copy, Default)]
+struct Found {
+    polygons: usize,
+    with_holes: usize,
+    crossing: usize,
+    empty: usize,
+}
+
+impl Simplifier<'_> {
+    /// The pieces of a face, as places of its corners.
+    fn pieces(&mut self, face: FaceId, cutter: &FaceCutter<'_>) -> Vec<Vec<usize>> {
+        self.found.polygons += 1;
+        let vertices = self.mesh.faces().face_vertices(face);
+        let lowest: Vec<VertexId> = vertices.iter().map(|vertex| self.lowest[vertex.index()]).collect();
+        if distinct_count(&lowest) == lowest.len() {
+            return vec![(0..lowest.len()).collect()];
+        }
+        let splitter = self.splitter.get_or_insert_with(|| WordSplitter::new(self.lowest.len()));
+        let loops = splitter.split(&lowest);
+        let points = |places: &[usize]| -> Vec<[f64; 3]> {
+            places.iter().map(|&place| self.mesh.position(vertices[place])).collect()
+        };
+        let word = points(&loops.word);
+        if loops.loops.len() > 1 && has_hole(&word, loops.loops.iter().map(|places| points(places))) {
+            let vertices: Vec<VertexId> = loops.word.iter().map(|&place| lowest[place]).collect();
+            let is_taken = |one: usize, other: usize| cutter.is_taken([vertices[one], vertices[other]]);
+            if let Some(pieces) = simple_pieces(Polygon { points: &word, vertices: &vertices }, &is_taken) {
+                self.found.with_holes += 1;
+                let places = |piece: &Vec<usize>| piece.iter().map(|&at| loops.word[at]).collect();
+                return pieces.iter().map(places).collect();
+            }
+            self.found.crossing += 1;
+        }
+        self.found.empty += usize::from(loops.loops.is_empty());
+        loops.loops
+    }
+}
+
+impl Found {
+    fn losses(self, created: usize) -> impl Iterator<Item = Loss> {
+        let faces = |count: usize| if count == 1 { "face" } else { "faces" };
+        let cut = Loss::if_any(LossKind::Polygons, self.polygons - self.empty, |n| {
+            let mut message = format!("{n} {} of more than three corners: cut into triangles", faces(n));
+            if self.with_holes > 0 {
+                message.push_str(&format!(", holes in {} of them left open", self.with_holes));
+            }
+            match created {
+                0 => {}
+                1 => message.push_str(", with 1 vertex more"),
+                n => message.push_str(&format!(", with {n} vertices more")),
+            }
+            message
+        });
+        let crossing = Loss::if_any(LossKind::Polygons, self.crossing, |n| {
+            format!("{n} {} with a hole and a rim that crosses itself: the hole is filled", faces(n))
+        });
+        let empty = Loss::if_any(LossKind::ShortFaces, self.empty, |n| {
+            format!("{n} {} of more than three corners that bound nothing", faces(n))
+        });
+        [cut, crossing, empty].into_iter().flatten()
+    }
+}
+
+/// Room beside the vertices of a mesh.
+struct BesideMesh<'a> {
+    mesh: &'a PolygonMesh,
+    encoding: Encoding,
+    /// The positions of all vertices, from the first new one on.
+    taken: Option<BTreeSet<[u64; 3]>>,
+    created: usize,
+}
+
+impl BesideMesh<'_> {
+    /// The first point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way at which there is no vertex.
+    fn first_free(&mut self, ends: [Point; 2]) -> Option<OnDiagonal> {
+        let positions = self.mesh.positions();
+        let taken = self.taken.get_or_insert_with(|| positions.iter().copied().map(place).collect());
+        let ratios = (2..=64).flat_map(|d| (1..d).map(move |n| (n, d)));
+        let mut points = ratios.map(|ratio| (stored(self.encoding, ends, ratio), ratio));
+        points.find(|(point, _)| !taken.contains(&place(*point)))
+    }
+}
+
+impl Room for BesideMesh<'_> {
+    fn is_between(&mut self, ends: [Point; 2]) -> bool {
+        self.first_free(ends).is_some()
+    }
+    fn take_between(&mut self, ends: [Point; 2]) -> OnDiagonal {
+        let middle = (stored(self.encoding, ends, (1, 2)), (1, 2));
+        let (point, ratio) = self.first_free(ends).unwrap_or(middle);
+        self.taken.iter_mut().for_each(|taken| {
+            taken.insert(place(point));
+        });
+        self.created += 1;
+        (point, ratio)
+    }
+}
+
+/// A point on the way between two, as the file will hold it.
+fn stored(encoding: Encoding, [from, to]: [Point; 2], (n, d): (u32, u32)) -> Point {
+    let point = std::array::from_fn(|i| from[i] + (to[i] - from[i]) * f64::from(n) / f64::from(d));
+    if encoding == Encoding::Ascii { point } else { point.map(|x| f64::from(x as f32)) }
+}
