@@ -15,6 +15,8 @@
 //! non-manifold, so that there welding is stitching and can't make a mesh worse. *Cost*: linear where exact; see the
 //! grid for tolerance.
 
+use std::borrow::Cow;
+
 use meshmend_core::{DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -38,7 +40,8 @@ pub enum Distance {
     Exact,
     /// When a chain of vertices joins them, each within so many units of length of the next.
     Absolute(f64),
-    /// The same, in parts of the bounding box's diagonal: 0.001 is a thousandth of it.
+    /// The same, in parts of a bounding box's diagonal: 0.001 is a thousandth of it. The box is that of the vertices
+    /// that a face or a loose edge uses; in a mesh with neither, of all vertices.
     Relative(f64),
 }
 
@@ -87,16 +90,42 @@ impl Weld {
         match self.distance {
             Distance::Exact => 0.0,
             Distance::Absolute(epsilon) => epsilon,
-            Distance::Relative(part) => part * near::diagonal(mesh.positions()),
+            Distance::Relative(part) => part * diagonal(mesh),
         }
     }
+}
+
+/// The diagonal of the box to which a relative distance refers. A vertex that nothing uses can't stretch it.
+fn diagonal(mesh: &PolygonMesh) -> f64 {
+    if mesh.faces().corner_count() == 0 && mesh.loose_edges().is_empty() {
+        return near::diagonal(mesh.positions());
+    }
+    near::diagonal(&used_positions(mesh))
+}
+
+/// The positions, those of vertices that no face and no loose edge uses being no numbers.
+fn used_positions(mesh: &PolygonMesh) -> Cow<'_, [[f64; 3]]> {
+    let mut is_used = vec![false; mesh.counts().vertices];
+    let used = mesh.faces().corner_vertices().iter().chain(mesh.loose_edges().iter().flatten());
+    used.for_each(|vertex| is_used[vertex.index()] = true);
+    if is_used.iter().all(|&used| used) {
+        return Cow::Borrowed(mesh.positions());
+    }
+    let position = |(point, used): (&[f64; 3], bool)| if used { *point } else { [f64::NAN; 3] };
+    mesh.positions().iter().zip(is_used).map(position).collect()
 }
 
 fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec<VertexId>, PassError> {
     if epsilon == 0.0 {
         Ok(coincident_vertices(mesh))
     } else if epsilon.is_finite() && epsilon > 0.0 {
-        near::classes(mesh.positions(), epsilon, context)
+        let classes = near::classes(mesh.positions(), epsilon, context);
+        let Err(PassError::Request { .. }) = classes else { return classes };
+        // Beside coordinates that are too large the distance can't be told. If no face has them, they are set aside.
+        match used_positions(mesh) {
+            Cow::Owned(used) => near::classes(&used, epsilon, context),
+            Cow::Borrowed(_) => classes,
+        }
     } else {
         Err(PassError::Request { pass: "weld", reason: format!("a tolerance of {epsilon} is no distance") })
     }
@@ -128,4 +157,54 @@ fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Result<Outcome, PassErr
         ..Draft::of_faces(mesh, faces, Sources::same(old.face_count()), Sources::same(old.corner_count()))
     };
     Ok(Outcome::changed(mesh.rebuild(draft)?, mended))
+}
+
+#[cfg(test)]
+mod tests {
+    use meshmend_core::Defect;
+    use meshmend_testkit::Soup;
+
+    use super::*;
+
+    /// Points on a line, two of them in a face of two corners.
+    fn line(xs: &[f64], faces: &[&[u32]]) -> PolygonMesh {
+        let positions = xs.iter().map(|&x| [x, 0.0, 0.0]).collect();
+        Soup { positions, faces: faces.iter().map(|face| face.to_vec()).collect() }.mesh()
+    }
+
+    #[test]
+    fn the_box_of_a_relative_distance_is_that_of_what_is_used() {
+        let xs = [0.0, 2.0, 1e6, f64::INFINITY, -7.0];
+        let loose = |mesh: PolygonMesh, ends: [u32; 2]| {
+            mesh.with_loose(vec![ends.map(VertexId)], vec![VertexId(2)]).unwrap()
+        };
+        assert_eq!(diagonal(&line(&xs, &[&[0, 1]])), 2.0, "a stray vertex");
+        assert_eq!(diagonal(&line(&xs, &[&[0, 1, 3]])), 2.0, "a vertex at infinity");
+        assert_eq!(diagonal(&loose(line(&xs, &[&[0, 1]]), [1, 4])), 9.0, "a loose edge, and a loose point");
+        assert_eq!(diagonal(&loose(line(&xs, &[]), [0, 4])), 7.0, "a loose edge alone");
+        assert_eq!(diagonal(&line(&xs, &[])), 1e6 + 7.0, "points alone");
+        assert_eq!(diagonal(&line(&xs, &[&[3, 3]])), 0.0, "nothing finite is used");
+        assert_eq!(diagonal(&line(&[], &[])), 0.0);
+    }
+
+    /// A unit cube's face, and a vertex a million units away that no face uses.
+    #[test]
+    fn a_stray_vertex_does_not_make_a_face_a_point() {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1e6, 0.0]];
+        let positions = corners.map(|[x, y]| [x, y, 0.0]).to_vec();
+        let mesh = Soup { positions, faces: vec![vec![0, 1, 2]] }.mesh();
+        let weld = Weld { distance: Distance::Relative(1e-4) };
+        assert!(weld.apply(&mesh, &Context::default()).unwrap().mended.is_empty());
+    }
+
+    #[test]
+    fn a_stray_vertex_too_far_away_to_be_measured_is_set_aside() {
+        let mesh = line(&[0.0, 1.0, 1.25, 4.0, 1e60], &[&[0, 1, 3], &[2, 3, 0]]);
+        let weld = |distance| Weld { distance }.apply(&mesh, &Context::default());
+        for distance in [Distance::Relative(0.1), Distance::Absolute(0.25)] {
+            let joined: Vec<_> = weld(distance).unwrap().mended.iter().collect();
+            assert_eq!(joined, [Defect::CoincidentVertex { vertex: VertexId(2), original: VertexId(1) }]);
+        }
+        assert!(weld(Distance::Absolute(1e-300)).is_err(), "what is used is too large for it, too");
+    }
 }
