@@ -8,8 +8,8 @@ use arbitrary::{Arbitrary, Result, Unstructured};
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, PolygonMesh, Values, VertexId};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
-    Clean, Compact, Distance, Duplicates, LooseElements, NonFinite, NonOrientable, Orient, PassKind, Plan,
-    Side, Split, SplitEdges, Triangulate, TriangulateFaces, Weld,
+    Clean, Compact, Distance, Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, Orient,
+    PassKind, Plan, Repeated, Side, Split, SplitEdges, Triangulate, TriangulateFaces, Weld,
 };
 use meshmend_testkit::Soup;
 
@@ -218,7 +218,11 @@ pub struct Work {
 
 impl<'a> Arbitrary<'a> for Work {
     fn arbitrary(u: &mut Unstructured<'a>) -> Result<Self> {
-        Ok(Work { kernel: *u.choose(KernelKind::ALL)?, plan: any_plan(u)?, mesh: u.arbitrary()? })
+        let mut work = Work { kernel: *u.choose(KernelKind::ALL)?, plan: any_plan(u)?, mesh: u.arbitrary()? };
+        // What is chosen last leaves the meaning of inputs that are kept as it was.
+        work.plan.clean.repeated = *u.choose(&[Repeated::KeepDifferent, Repeated::Drop])?;
+        work.plan.empty = *u.choose(&[Emptying::Refuse, Emptying::Allow])?;
+        Ok(work)
     }
 }
 
@@ -239,7 +243,10 @@ fn any_plan(u: &mut Unstructured<'_>) -> Result<Plan> {
     Ok(Plan {
         passes,
         weld: Weld { distance },
-        clean: Clean { non_finite: *u.choose(&[NonFinite::Drop, NonFinite::Keep, NonFinite::Fail])? },
+        clean: Clean {
+            non_finite: *u.choose(&[NonFinite::Drop, NonFinite::Keep, NonFinite::Fail])?,
+            ..Clean::default()
+        },
         orient: Orient {
             side: *u.choose(&[Side::Majority, Side::Outward, Side::OutwardNested])?,
             non_orientable: *u.choose(&[Report, Cut, Report, Cut, Report, Fail])?,

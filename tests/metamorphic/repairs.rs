@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use meshmend_repair::{PassKind, Pipeline, Plan};
+use meshmend_repair::{Emptying, PassKind, Pipeline, Plan};
 use meshmend_testkit::{Soup, worlds};
 use proptest::prelude::*;
 use serde_json::Value;
@@ -11,7 +11,7 @@ use crate::figures::figures;
 use crate::names::{any_mesh, scaled, with_names};
 
 fn repaired_by(pipeline: &Pipeline, soup: &Soup) -> Soup {
-    Soup::of_mesh(&pipeline.run(&soup.mesh()).unwrap().mesh)
+    Soup::of_mesh(&pipeline.clone().on_emptying(Emptying::Allow).run(&soup.mesh()).unwrap().mesh)
 }
 
 fn repaired(soup: &Soup) -> Soup {

@@ -19,7 +19,7 @@ pub enum Status {
     Unreadable = 3,
     /// An output can't be written.
     Unwritable = 4,
-    /// A policy says `fail`, or the kernel can't hold the mesh.
+    /// A policy says `fail`, the kernel can't hold the mesh, or no face would be left of it.
     Refused = 5,
 }
 
@@ -71,7 +71,11 @@ impl Failure {
             PassError::Request { .. } => Status::Usage,
             _ => Status::Refused,
         };
-        Failure { status, message: format!("{file}: {error}") }
+        let hint = match error {
+            PassError::Emptied(_) => "; --allow-empty goes on all the same",
+            _ => "",
+        };
+        Failure { status, message: format!("{file}: {error}{hint}") }
     }
 }
 

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use meshmend::repair::{
-    Duplicates, LooseElements, NonFinite, NonOrientable, Side, SplitEdges, TriangulateFaces,
+    Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, Repeated, Side, SplitEdges,
+    TriangulateFaces,
 };
 use meshmend::{FlippedNormals, PassKind, Plan};
 
@@ -32,6 +33,9 @@ pub(crate) struct Policies {
     /// Faces with a corner that is infinite or no number
     #[arg(long, value_enum)]
     non_finite: Option<NonFiniteWord>,
+    /// Faces that repeat another one but differ in material, object, group, colour or texture coordinates
+    #[arg(long, value_enum)]
+    repeated: Option<RepeatedWord>,
     /// Which side of a patch is the front
     #[arg(long, value_enum)]
     orient: Option<OrientWord>,
@@ -53,6 +57,9 @@ pub(crate) struct Policies {
     /// What happens to vertices, edges and points that no face uses
     #[arg(long, value_enum)]
     compact: Option<CompactWord>,
+    /// Go on when no face would be left, in place of giving up
+    #[arg(long)]
+    allow_empty: bool,
 }
 
 /// Whether a pass runs.
@@ -72,6 +79,14 @@ enum NonFiniteWord {
     Keep,
     /// Give up
     Fail,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum RepeatedWord {
+    /// Keep them, and say in what they differ; what the output's format can't hold is no difference
+    KeepDifferent,
+    /// Keep the first alone, and say what went with the others
+    Drop,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -166,6 +181,9 @@ impl Policies {
         if let Some(word) = self.compact {
             plan = compact_into(plan, word);
         }
+        if self.allow_empty {
+            plan.empty = Emptying::Allow;
+        }
         Ok(plan)
     }
 
@@ -179,8 +197,8 @@ impl Policies {
 
     fn clean_into(&self, mut plan: Plan) -> Result<Plan, Failure> {
         if self.clean == Some(OnOff::Off) {
-            let is_idle = self.non_finite.is_some();
-            return left_out(plan, PassKind::Clean, is_idle.then_some("--non-finite"));
+            let idle = self.non_finite.map(|_| "--non-finite");
+            return left_out(plan, PassKind::Clean, idle.or(self.repeated.map(|_| "--repeated")));
         }
         if self.clean == Some(OnOff::On) {
             with(&mut plan, PassKind::Clean);
@@ -190,6 +208,12 @@ impl Policies {
                 NonFiniteWord::Drop => NonFinite::Drop,
                 NonFiniteWord::Keep => NonFinite::Keep,
                 NonFiniteWord::Fail => NonFinite::Fail,
+            };
+        }
+        if let Some(word) = self.repeated {
+            with(&mut plan, PassKind::Clean).clean.repeated = match word {
+                RepeatedWord::KeepDifferent => Repeated::KeepDifferent,
+                RepeatedWord::Drop => Repeated::Drop,
             };
         }
         Ok(plan)
@@ -341,6 +365,9 @@ mod tests {
         assert_eq!(sides, [Side::Majority, Side::Outward, Side::OutwardNested]);
         let infinite = ["drop", "keep", "fail"].map(|word| with("--non-finite", word).clean.non_finite);
         assert_eq!(infinite, [NonFinite::Drop, NonFinite::Keep, NonFinite::Fail]);
+        let repeated = ["keep-different", "drop"].map(|word| with("--repeated", word).clean.repeated);
+        assert_eq!(repeated, [Repeated::KeepDifferent, Repeated::Drop]);
+        assert_eq!(plan(&["--allow-empty"]).unwrap().empty, Emptying::Allow);
         let twisted =
             ["report", "cut", "fail"].map(|word| with("--non-orientable", word).orient.non_orientable);
         assert_eq!(twisted, [NonOrientable::Report, NonOrientable::Cut, NonOrientable::Fail]);
@@ -371,6 +398,7 @@ mod tests {
     #[test]
     fn an_option_of_a_pass_that_is_off_is_refused() {
         assert!(plan(&["--clean", "off", "--non-finite", "fail"]).is_err());
+        assert!(plan(&["--clean", "off", "--repeated", "drop"]).is_err());
         assert!(plan(&["--orient", "off", "--duplicates", "keep"]).is_err());
         assert!(plan(&["--orient", "off", "--flipped-normals", "keep"]).is_err());
     }

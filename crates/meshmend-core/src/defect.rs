@@ -7,7 +7,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::{EdgeId, FaceId, VertexId};
+use crate::{Differences, EdgeId, FaceId, VertexId};
 
 /// One thing that is wrong, with its place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -31,6 +31,8 @@ pub enum Defect {
     DuplicateFace { face: FaceId, original: FaceId },
     /// A face whose cycle an earlier face runs the other way round, and none the same way.
     OppositeFace { face: FaceId, original: FaceId },
+    /// A face whose directed cycle an earlier face has too, but which looks otherwise or belongs elsewhere.
+    DifferingFace { face: FaceId, original: FaceId, differs: Differences },
     /// A face with more than three corners.
     PolygonFace { face: FaceId, corners: u32 },
     /// A face with a corner whose position is not finite.
@@ -61,6 +63,20 @@ pub enum Defect {
     LoosePoint { index: u32, vertex: VertexId },
     /// A patch that has no consistent side: a closed strip of faces reverses orientation.
     NonOrientablePatch { faces: Vec<FaceId>, edges: Vec<EdgeId> },
+    /// A patch of so many faces, by its lowest face, of which it can't be told which side is the outer one.
+    UnjudgedPatch { face: FaceId, faces: u32, reason: Unjudged },
+    /// A closed patch of so many faces, by its lowest face, that was turned outward although it lies inside another.
+    TurnedCavity { face: FaceId, faces: u32 },
+}
+
+/// Why it can't be told which side of a patch is the outer one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unjudged {
+    /// The patch has a boundary.
+    Open,
+    /// The patch encloses no volume, or none that rounding could not have made.
+    NoVolume,
 }
 
 /// Whether a defect fails a check.
@@ -140,6 +156,10 @@ kinds! {
     OppositeFace "opposite-face" Note "opposite duplicate faces"
         "An earlier face has the same cycle the other way round: a double-sided wall. It is kept unless \
          `--duplicates` says `remove-pair` or `keep-first`."
+    DifferingFace "differing-face" Note "repeated faces that differ"
+        "An earlier face has the same directed cycle of vertices, but another material, object, group, solid, part \
+         or colour, or other texture coordinates: a decal, or a second object over the same vertices. Such faces \
+         are kept, and `split` takes them apart. `--repeated drop` keeps the first alone."
     PolygonFace "polygon-face" Note "faces with more than three corners"
         "Only a kernel for triangles minds. `triangulate` with `all` cuts polygons into triangles."
     NonFiniteFace "non-finite-face" Defect "faces with non-finite corners"
@@ -181,6 +201,12 @@ kinds! {
         "However its faces are flipped, some edge of the patch stays inconsistent: there is a closed strip of \
          faces that comes back mirrored, as on a Moebius band or a Klein bottle. The strip is the witness. \
          `--non-orientable` says whether to report it, cut it open, or fail."
+    UnjudgedPatch "unjudged-patch" Note "patches whose outer side is not known"
+        "`--orient outward` turns closed patches so that they enclose a positive volume. A patch that is open, or \
+         that encloses no volume, has no outer side; it keeps the side that most of its faces have."
+    TurnedCavity "turned-cavity" Note "cavities turned outward"
+        "The closed patch lies inside another one and looked inward, as the wall of a hollow does. \
+         `--orient outward` turned it all the same. `--orient outward-nested` keeps the walls of hollows."
 }
 
 impl DefectKind {
@@ -208,6 +234,9 @@ impl fmt::Display for Defect {
             Defect::RepeatedCorner { face, vertex } => write!(f, "{face} repeats {vertex}"),
             Defect::DuplicateFace { face, original } => write!(f, "{face} is {original} again"),
             Defect::OppositeFace { face, original } => write!(f, "{face} is {original} the other way round"),
+            Defect::DifferingFace { face, original, differs } => {
+                write!(f, "{face} is {original} again, but for {differs}")
+            }
             Defect::PolygonFace { face, corners } => write!(f, "{face} has {corners} corners"),
             Defect::NonFiniteFace { face, vertex } => write!(f, "{face} uses {vertex}, which is not finite"),
             Defect::BoundaryEdge { edge, ends: [a, b] } => write!(f, "{edge} {a}-{b} has one side"),
@@ -235,8 +264,22 @@ impl fmt::Display for Defect {
                 }
                 None => write!(f, "a patch is not orientable"),
             },
+            Defect::UnjudgedPatch { face, faces, reason } => {
+                let why = match reason {
+                    Unjudged::Open => "is open",
+                    Unjudged::NoVolume => "encloses no volume",
+                };
+                write!(f, "the patch of {face}, {} in all, {why}", count_of_faces(*faces))
+            }
+            Defect::TurnedCavity { face, faces } => {
+                write!(f, "the closed patch of {face}, {} in all, is inside another", count_of_faces(*faces))
+            }
         }
     }
+}
+
+fn count_of_faces(count: u32) -> String {
+    if count == 1 { "1 face".to_owned() } else { format!("{count} faces") }
 }
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "these are tests")]
 
 use meshmend_core::{
-    Carry, Defect, Domain, Draft, DraftError, EdgeId, FaceId, FaceTable, FaceTableError, Layer, MAX_CORNERS,
-    MeshError, PolygonMesh, Sources, Values, VertexId,
+    Aspect, Carry, Defect, Domain, Draft, DraftError, EdgeId, FaceId, FaceTable, FaceTableError, Layer,
+    MAX_CORNERS, MeshError, PolygonMesh, Sources, Unjudged, Values, VertexId,
 };
 use meshmend_testkit::assert_every_variant;
 
@@ -100,6 +100,14 @@ fn every_defect_says_where_it_is() {
         (Defect::RepeatedCorner { face, vertex }, "f1 repeats v3"),
         (Defect::DuplicateFace { face, original: FaceId(0) }, "f1 is f0 again"),
         (Defect::OppositeFace { face, original: FaceId(0) }, "f1 is f0 the other way round"),
+        (
+            Defect::DifferingFace {
+                face,
+                original: FaceId(0),
+                differs: [Aspect::TexCoord, Aspect::Material].into_iter().collect(),
+            },
+            "f1 is f0 again, but for material and texcoord",
+        ),
         (Defect::PolygonFace { face, corners: 4 }, "f1 has 4 corners"),
         (Defect::NonFiniteFace { face, vertex }, "f1 uses v3, which is not finite"),
         (Defect::BoundaryEdge { edge, ends }, "e2 v3-v4 has one side"),
@@ -120,6 +128,18 @@ fn every_defect_says_where_it_is() {
             "a strip of 2 faces from f1 comes back reversed",
         ),
         (Defect::NonOrientablePatch { faces: Vec::new(), edges: Vec::new() }, "a patch is not orientable"),
+        (
+            Defect::UnjudgedPatch { face, faces: 1, reason: Unjudged::Open },
+            "the patch of f1, 1 face in all, is open",
+        ),
+        (
+            Defect::UnjudgedPatch { face, faces: 2, reason: Unjudged::NoVolume },
+            "the patch of f1, 2 faces in all, encloses no volume",
+        ),
+        (
+            Defect::TurnedCavity { face, faces: 12 },
+            "the closed patch of f1, 12 faces in all, is inside another",
+        ),
     ];
     assert_every_variant!(
         cases,
@@ -131,6 +151,7 @@ fn every_defect_says_where_it_is() {
             RepeatedCorner,
             DuplicateFace,
             OppositeFace,
+            DifferingFace,
             PolygonFace,
             NonFiniteFace,
             BoundaryEdge,
@@ -146,6 +167,8 @@ fn every_defect_says_where_it_is() {
             LooseEdge,
             LoosePoint,
             NonOrientablePatch,
+            UnjudgedPatch,
+            TurnedCavity,
         }
     );
 }

@@ -7,7 +7,8 @@
 //! 2. Consecutive repeats and spikes are folded away.
 //! 3. A face that comes back to a vertex is split there into simple faces; what has fewer than three corners goes. But if
 //!    it has a hole (some part of it turns against the whole), it is cut along diagonals, so that nothing is filled.
-//! 4. Of faces with the same directed cycle of vertices *as stored* the first stays.
+//! 4. Of faces with the same directed cycle of vertices *as stored* the first stays, and of those that differ from it
+//!    the first of each kind (policy: keep what differs, or drop it).
 //!
 //! *Promises* no degenerate or non-simple face, no non-finite face (unless kept), no repeat as stored. *Requires*
 //! nothing. *May introduce* boundary edges and what follows from them where a face went, parts of faces that are
@@ -18,15 +19,16 @@
 use std::borrow::Cow;
 
 use meshmend_core::{
-    CornerId, Defect, DefectKind, Draft, FaceId, FaceTable, FaceTableBuilder, Id, PolygonMesh, Sources,
-    VertexId, distinct_count,
+    CornerId, Defect, DefectKind, Differences, Draft, FaceId, FaceTable, FaceTableBuilder, Id, PolygonMesh,
+    Sources, VertexId, distinct_count,
 };
 use meshmend_geometry::words::{Loops, WordSplitter};
 use meshmend_topology::TopologyReport;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Outcome, Pass, PassError};
+use crate::telling::{Looks, Telling};
+use crate::{Context, Outcome, Pass, PassError, TellingLayers};
 
 mod holes;
 mod repeats;
@@ -40,6 +42,20 @@ use repeats::repeats;
 pub struct Clean {
     /// What to do with faces that have a corner whose position is not finite.
     pub non_finite: NonFinite,
+    /// What to do with faces that repeat another one but differ from it. In a pipeline `orient` and `split` do the same.
+    pub repeated: Repeated,
+}
+
+/// What to do with faces that repeat another one but differ from it: in material, object, group, solid, part or colour,
+/// or in texture coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Repeated {
+    /// Keep them, and say in what they differ.
+    #[default]
+    KeepDifferent,
+    /// Keep the first alone, and say what went with the others.
+    Drop,
 }
 
 /// What to do with faces that have a corner whose position is not finite.
@@ -97,7 +113,13 @@ impl Pass for Clean {
         }
         let pieces = self.simple_pieces(mesh)?;
         context.check_cancelled()?;
-        let repeats = pieces.repeats(&stored_names(mesh, context));
+        let names = stored_names(mesh, context);
+        let telling = match self.repeated {
+            Repeated::KeepDifferent => context.telling,
+            Repeated::Drop => TellingLayers::Only(&[]),
+        };
+        let repeats = pieces.sorted_repeats(mesh, &names, telling);
+        drop(names);
         pieces.into_outcome(mesh, repeats)
     }
 }
@@ -117,6 +139,15 @@ struct Pieces<'a> {
     /// Absent when each face stays as it is.
     listed: Option<Listed>,
     mended: Vec<Defect>,
+}
+
+/// Pieces that repeat an earlier one.
+#[derive(Default)]
+struct Repeats {
+    /// Those that go: piece, the one that it repeats, and in what it differs from that all the same.
+    dropped: Vec<(u32, u32, Differences)>,
+    /// Those that differ and stay, likewise.
+    kept: Vec<(u32, u32, Differences)>,
 }
 
 /// Pieces that are listed, by ascending face.
@@ -262,15 +293,50 @@ impl Pieces<'_> {
         }
     }
 
-    fn into_outcome(mut self, mesh: &PolygonMesh, repeats: Vec<(u32, u32)>) -> Result<Outcome, PassError> {
-        let mut is_kept = vec![true; if repeats.is_empty() { 0 } else { self.count() }];
-        for (original, repeat) in repeats {
+    /// The repeats, those that go apart from those that differ by some layers and stay.
+    fn sorted_repeats(&self, mesh: &PolygonMesh, names: &[VertexId], telling: TellingLayers<'_>) -> Repeats {
+        let pairs = self.repeats(names);
+        let all = if pairs.is_empty() { None } else { Telling::of(mesh, TellingLayers::All) };
+        let Some(all) = all else {
+            let dropped = pairs.into_iter().map(|(first, later)| (later, first, Differences::default()));
+            return Repeats { dropped: dropped.collect(), kept: Vec::new() };
+        };
+        let telling = Telling::of(mesh, telling);
+        let mut repeats = Repeats::default();
+        for pairs in pairs.chunk_by(|one, other| one.0 == other.0) {
+            let mut pieces = vec![pairs[0].0];
+            pieces.extend(pairs.iter().map(|pair| pair.1));
+            let looks: Vec<Looks> = pieces.iter().map(|&piece| self.looks(piece, names)).collect();
+            let first_alike = telling.as_ref().map_or(vec![0; looks.len()], |by| by.first_alike(&looks));
+            for (place, &first) in first_alike.iter().enumerate().skip(1) {
+                let (original, list) =
+                    if first == place { (0, &mut repeats.kept) } else { (first, &mut repeats.dropped) };
+                let differs = all.differences(&looks[place], &looks[original]);
+                list.push((pieces[place], pieces[original], differs));
+            }
+        }
+        repeats
+    }
+
+    fn looks(&self, piece: u32, names: &[VertexId]) -> Looks {
+        let corners = self.corners(piece as usize).map(|corner| (names[corner.index()], corner));
+        Looks::new(self.face(piece as usize), corners.collect())
+    }
+
+    fn into_outcome(mut self, mesh: &PolygonMesh, repeats: Repeats) -> Result<Outcome, PassError> {
+        let mut is_kept = vec![true; if repeats.dropped.is_empty() { 0 } else { self.count() }];
+        let mut differed = Vec::new();
+        for &(repeat, original, differs) in &repeats.dropped {
             is_kept[repeat as usize] = false;
             let (face, original) = (self.face(repeat as usize), self.face(original as usize));
             self.mended.push(Defect::DuplicateFace { face, original });
+            if !differs.is_empty() {
+                differed.push((face, differs));
+            }
         }
+        let left = differing_faces(&repeats.kept, &is_kept);
         if self.mended.is_empty() {
-            return Ok(Outcome::unchanged(mesh));
+            return Ok(Outcome { left, ..Outcome::unchanged(mesh) });
         }
         let mut builder = FaceTableBuilder::default();
         let (mut face_sources, mut corner_sources) = (Vec::new(), Vec::new());
@@ -282,8 +348,31 @@ impl Pieces<'_> {
         let faces = builder.build(mesh.counts().vertices)?;
         let draft =
             Draft::of_faces(mesh, faces, Sources::listed(face_sources), Sources::listed(corner_sources));
-        Ok(Outcome::changed(mesh.rebuild(draft)?, self.mended.into()))
+        let outcome = Outcome::changed(mesh.rebuild(draft)?, self.mended.into());
+        Ok(Outcome { left, differed, ..outcome })
     }
+}
+
+/// The repeats that stay, by the numbers that they get where others go. None go where nothing says which.
+fn differing_faces(kept: &[(u32, u32, Differences)], is_kept: &[bool]) -> Vec<Defect> {
+    if kept.is_empty() {
+        return Vec::new();
+    }
+    let mut next = 0;
+    let number = |&is_kept: &bool| {
+        next += u32::from(is_kept);
+        next.saturating_sub(1)
+    };
+    let numbers: Vec<u32> = is_kept.iter().map(number).collect();
+    let face = |piece: u32| FaceId(numbers.get(piece as usize).copied().unwrap_or(piece));
+    let defect = |&(repeat, original, differs): &(u32, u32, Differences)| Defect::DifferingFace {
+        face: face(repeat),
+        original: face(original),
+        differs,
+    };
+    let mut left: Vec<Defect> = kept.iter().map(defect).collect();
+    left.sort();
+    left
 }
 
 #[cfg(test)]

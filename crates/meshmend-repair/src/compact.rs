@@ -3,16 +3,18 @@
 //! *Why*: unreferenced vertices change bounding boxes and counts, and loose edges and points make exporters write
 //! elements that nobody asked for.
 //!
+//! A mesh without a face as stored is a point cloud or a set of lines: they are what it is about, and all of it stays.
+//!
 //! 1. Loose edges and points go (policy: remove or keep, each).
 //! 2. Vertices that no face and no kept loose element uses go; the others keep their order.
 //!
-//! *Promises* no unreferenced vertex but those of kept loose elements. *Requires* that degenerate
+//! *Promises* no unreferenced vertex but those of kept loose elements, if there is a face as stored. *Requires* that degenerate
 //! faces are gone, as their vertices stay with them. *May introduce* nothing. *Cost*: linear.
 
 use meshmend_core::{Defect, DefectKind, Draft, Id, Loose, PolygonMesh, Sources, VertexId};
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Outcome, Pass, PassError};
+use crate::{Context, History, Outcome, Pass, PassError};
 
 /// Removes what no face uses, and names it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -56,7 +58,11 @@ impl Pass for Compact {
         &[]
     }
 
-    fn apply(&self, mesh: &PolygonMesh, _context: &Context<'_>) -> Result<Outcome, PassError> {
+    fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
+        let stored = context.history.map_or(mesh, History::stored);
+        if stored.counts().faces == 0 {
+            return Ok(Outcome::unchanged(mesh));
+        }
         let drop_loose = Loose {
             edges: self.loose_edges == LooseElements::Remove,
             points: self.loose_points == LooseElements::Remove,

@@ -12,8 +12,10 @@
 mod clean;
 mod coincident;
 mod compact;
+mod copies;
 mod cut;
 mod edge_lengths;
+mod emptied;
 mod examined;
 mod figures;
 mod free_points;
@@ -27,17 +29,19 @@ mod plan;
 mod recompute;
 mod registry;
 mod split;
+mod telling;
 mod triangulate;
 mod volume;
 mod weld;
 
-pub use clean::{Clean, NonFinite};
+pub use clean::{Clean, NonFinite, Repeated};
 pub use coincident::coincident_vertices;
 pub use compact::{Compact, LooseElements};
 pub use cut::{
     CutAlong, CutError, CutOpen, CutSeam, Discs, Piece, SquareCut, cut_open, cut_to_discs, cut_to_square,
 };
 pub use edge_lengths::edge_lengths;
+pub use emptied::{Emptied, Emptying, EmptyingCause};
 pub use examined::Examined;
 pub use figures::Figures;
 pub use free_points::{Clearance, Precision, Unused};
@@ -49,6 +53,7 @@ pub use plan::{Plan, PlanError};
 pub use recompute::Recompute;
 pub use registry::{AnyPass, PassKind};
 pub use split::{SeamFigures, Seams, Split, SplitEdges};
+pub use telling::TellingLayers;
 pub use triangulate::{Triangulate, TriangulateFaces};
 pub use weld::{Distance, Weld};
 

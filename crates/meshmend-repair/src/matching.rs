@@ -5,11 +5,15 @@
 //! 1. two uses that are the only two of their edge by vertices *as stored* are matched;
 //! 2. two uses that are the only two of their edge by the present (welded) vertices are matched, if both are free.
 //!
+//! Two uses of faces that run round the same vertices in the same direction and differ are never matched; see
+//! [`Copies`] for what is, where such faces have neighbours.
+//!
 //! Faces joined across matched uses make a *patch* of the repair.
 
 use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId, VertexId};
 
 use crate::StoredNames;
+use crate::copies::Copies;
 
 const FREE: CornerId = CornerId(u32::MAX);
 
@@ -26,21 +30,32 @@ impl Matching {
     /// The matching of all edges by rules 1 and 2.
     ///
     /// *Cost*: O(Σ d log d) over the edges' degrees d.
-    pub(crate) fn by_rules<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Self {
+    pub(crate) fn by_rules<K: Connectivity>(
+        kernel: &K,
+        names: &StoredNames<'_>,
+        copies: Option<&Copies>,
+    ) -> Self {
         let mut matching = Matching::free(kernel.corner_count());
         let mut groups = StoredGroups::default();
         for edge in kernel.edges() {
             let mut corners = kernel.edge_corners(edge);
             match (corners.next(), corners.next(), corners.next()) {
                 // Two are a pair by one rule or the other.
-                (Some(one), Some(other), None) => matching.pair(one, other),
+                (Some(one), Some(other), None) if may_match(kernel, copies, one, other) => {
+                    matching.pair(one, other);
+                }
                 (_, _, None) => {}
                 _ => {
                     let uses = groups.uses_of(kernel, names, edge);
                     for group in uses.chunk_by(|one, other| one.stored == other.stored) {
-                        if let [one, other] = group {
+                        if let [one, other] = group
+                            && may_match(kernel, copies, one.corner, other.corner)
+                        {
                             matching.pair(one.corner, other.corner);
                         }
+                    }
+                    for pair in copies.map_or(Vec::new(), |copies| pairs_by_rank(kernel, copies, uses)) {
+                        matching.pair_if_free(pair);
                     }
                 }
             }
@@ -64,6 +79,15 @@ impl Matching {
         self.mate[other] = one;
     }
 
+    /// Pairs two sides if both are free, and says whether they were.
+    pub(crate) fn pair_if_free(&mut self, (one, other): (CornerId, CornerId)) -> bool {
+        let are_free = self.is_free(one) && self.is_free(other);
+        if are_free {
+            self.pair(one, other);
+        }
+        are_free
+    }
+
     pub(crate) fn part(&mut self, one: CornerId, other: CornerId) {
         self.mate[one] = FREE;
         self.mate[other] = FREE;
@@ -76,6 +100,46 @@ impl Matching {
             .filter(|&(one, &other)| other != FREE && one < other)
             .map(|(one, &other)| (one, other))
     }
+}
+
+/// Whether two sides may be matched: not if their faces are copies that differ.
+pub(crate) fn may_match<K: Connectivity>(
+    kernel: &K,
+    copies: Option<&Copies>,
+    one: CornerId,
+    other: CornerId,
+) -> bool {
+    copies.is_none_or(|copies| !copies.are_apart(kernel.corner_face(one), kernel.corner_face(other)))
+}
+
+/// The pairs of an edge at which there are copies, its uses being sorted by what they join as stored: two that are the
+/// only two of their rank at their edge as stored, then two that are the only two of their rank at the whole edge. Only
+/// uses that run against each other are paired: turning a face could give others their rank, and so never come to an end.
+pub(crate) fn pairs_by_rank<K: Connectivity>(
+    kernel: &K,
+    copies: &Copies,
+    uses: &[StoredUse],
+) -> Vec<(CornerId, CornerId)> {
+    let rank = |u: &StoredUse| copies.rank(kernel.corner_face(u.corner));
+    let mut pairs = Vec::new();
+    if uses.iter().all(|u| rank(u) == 0) {
+        return pairs;
+    }
+    let mut ranked: Vec<StoredUse> = uses.to_vec();
+    ranked.sort_by_key(|u| (rank(u), u.stored));
+    for group in ranked.chunk_by(|one, other| (rank(one), one.stored) == (rank(other), other.stored)) {
+        pairs.extend(the_two(group));
+    }
+    for group in ranked.chunk_by(|one, other| rank(one) == rank(other)) {
+        pairs.extend(the_two(group));
+    }
+    pairs.retain(|&(one, other)| !run_the_same_way(kernel, one, other));
+    pairs
+}
+
+/// The corners of uses that are exactly two.
+fn the_two(uses: &[StoredUse]) -> Option<(CornerId, CornerId)> {
+    if let [one, other] = uses { Some((one.corner, other.corner)) } else { None }
 }
 
 /// A use of an edge with the pair of vertices that it joins as stored.

@@ -13,27 +13,34 @@
 //!
 //! *Promises* no inconsistent edge in any orientable patch. *Requires* simple faces for its duplicates to be those of
 //! the text; works on any. *May introduce* boundary edges where duplicates went, and unreferenced vertices. *Cost*:
-//! O(n log n), however many rounds there are. A patch without a consistent side is left as it is and named, with a
+//! O(n log n), however many rounds there are. Where patches are turned outward, those that have no outer side are named,
+//! and the walls of hollows that were turned. A patch without a consistent side is left as it is and named, with a
 //! witness; or the policy cuts it or gives up.
 
 use meshmend_core::{
-    Column, Connectivity, CornerId, Defect, DefectKind, Draft, EdgeId, EdgeUse, FaceId, FaceTableBuilder,
-    FlippedNormals, Id, PolygonMesh, Sources, VertexId, is_inconsistent,
+    Column, Connectivity, CornerId, Defect, DefectKind, Differences, Draft, EdgeId, EdgeUse, FaceId,
+    FaceTableBuilder, FlippedNormals, Id, PolygonMesh, Sources, VertexId, is_inconsistent,
 };
 use meshmend_kernels::KernelTask;
 use meshmend_topology::{OneSidedStrip, TopologyReport, orientability, patches as patches_of};
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Mended, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames};
+use crate::copies::looks;
+use crate::telling::Telling;
+use crate::{
+    Context, Mended, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames, TellingLayers,
+};
 
 mod cycles;
 mod nesting;
+mod outward;
 mod patches;
 mod plain;
 mod seams;
 mod uses;
 
 use cycles::Cycles;
+use outward::{Nested, PatchNamed};
 use patches::{Contradiction, Patches, Sides};
 use uses::LiveUses;
 
@@ -140,6 +147,8 @@ struct Found {
     is_alive: Column<FaceId, bool>,
     is_flipped: Column<FaceId, bool>,
     non_orientable: Vec<FaceId>,
+    /// What is to be said of patches that were to be turned outward.
+    outward: Vec<PatchNamed>,
 }
 
 impl KernelTask for Task<'_> {
@@ -147,14 +156,15 @@ impl KernelTask for Task<'_> {
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
         let names = StoredNames::new(self.mesh, self.context);
-        let cycles = Cycles::of(kernel);
+        let cycles = Cycles::of(kernel, self.mesh, self.context);
         let count = kernel.face_count();
         if cycles.is_empty()
             && self.options.side == Side::Majority
             && let Some(is_flipped) = plain::flips(kernel)
         {
             let is_alive = Column::filled(true, count);
-            return self.outcome(kernel, &cycles, Found { is_alive, is_flipped, non_orientable: Vec::new() });
+            let found = Found { is_alive, is_flipped, non_orientable: Vec::new(), outward: Vec::new() };
+            return self.outcome(kernel, &cycles, found);
         }
         let mut alive = Column::filled(true, count);
         let mut flipped = Column::filled(false, count);
@@ -186,7 +196,7 @@ impl Task<'_> {
         let start = (Column::filled(true, count), Column::filled(false, count));
         let policy = (Sides::Stored, Contradiction::Twists);
         let mut patches = Patches::new(kernel, self.mesh, cycles, policy, start);
-        patches.merge(&uses::pairs_as_stored(kernel, names));
+        patches.merge(&uses::pairs_as_stored(kernel, names, cycles.copies()));
         patches.drop_duplicates();
         patches.is_alive
     }
@@ -207,9 +217,9 @@ impl Task<'_> {
             NonOrientable::Cut => Contradiction::Cuts,
             _ => Contradiction::Twists,
         };
-        let mut live = LiveUses::new(kernel, names, &start.0);
+        let mut live = LiveUses::new(kernel, names, cycles.copies(), &start.0);
         let mut patches = Patches::new(kernel, self.mesh, cycles, (sides, contradiction), start);
-        let mut pairs = live.new_pairs(kernel, &patches.is_alive);
+        let mut pairs = live.new_pairs(kernel, names, &patches.is_alive);
         if contradiction == Contradiction::Cuts {
             pairs = seams::seams_last(kernel, names, pairs);
         }
@@ -221,19 +231,15 @@ impl Task<'_> {
             }
             self.context.check_cancelled()?;
             gone.into_iter().for_each(|face| live.remove_face(kernel, face));
-            pairs = live.new_pairs(kernel, &patches.is_alive);
+            pairs = live.new_pairs(kernel, names, &patches.is_alive);
         }
-        if self.options.side == Side::OutwardNested {
-            let closed = patches.closed();
-            let hollows = nesting::are_hollows(kernel, self.mesh, &closed, &patches.is_flipped);
-            closed
-                .iter()
-                .zip(hollows)
-                .filter(|(_, is_hollow)| *is_hollow)
-                .for_each(|(faces, _)| patches.turn(faces));
-        }
+        let outward = match self.options.side {
+            Side::Majority => Vec::new(),
+            Side::Outward => outward::judge(kernel, self.mesh, &mut patches, Nested::Outward),
+            Side::OutwardNested => outward::judge(kernel, self.mesh, &mut patches, Nested::Alternating),
+        };
         let non_orientable = patches.non_orientable();
-        Ok(Found { is_alive: patches.is_alive, is_flipped: patches.is_flipped, non_orientable })
+        Ok(Found { is_alive: patches.is_alive, is_flipped: patches.is_flipped, non_orientable, outward })
     }
 
     /// Step 3: the faces that go because they are there in the other direction too.
@@ -251,7 +257,10 @@ impl Task<'_> {
                 removed.extend(backward[..pairs].iter().chain(&forward[..pairs]));
             } else if pairs > 0 {
                 let first = backward[0].min(forward[0]);
-                removed.extend(backward.iter().chain(&forward).filter(|&&f| f != first));
+                let way = |f: FaceId| cycles.runs_backward(f, found.is_flipped[f]);
+                // What runs as the first does and differs from it is no opposite duplicate.
+                let goes = |&f: &FaceId| f != first && (way(f) != way(first) || cycles.are_alike(f, first));
+                removed.extend(backward.iter().chain(&forward).copied().filter(goes));
             }
         }
         removed
@@ -273,10 +282,14 @@ impl Task<'_> {
             Outcome::unchanged(self.mesh)
         };
         if !outcome.provenance.is_same() {
-            outcome.mended =
-                Mended::turned(turned_edges(kernel, &found.is_flipped), self.dropped(cycles, &found));
+            let dropped = self.dropped(cycles, &found);
+            outcome.differed = self.differed(kernel, &dropped);
+            outcome.mended = Mended::turned(turned_edges(kernel, &found.is_flipped), dropped);
         }
-        outcome.left = self.opposite_left(cycles, &found);
+        outcome.left = self.alike_left(kernel, cycles, &found);
+        let faces: Vec<FaceId> = found.outward.iter().map(PatchNamed::face).collect();
+        let named = found.outward.iter().zip(self.new_ids(&found, &faces));
+        outcome.left.extend(named.map(|(patch, face)| patch.defect(face)));
         if !found.non_orientable.is_empty() {
             let lowest = self.new_ids(&found, &found.non_orientable);
             self.judge_non_orientable(&mut outcome, &lowest)?;
@@ -314,14 +327,26 @@ impl Task<'_> {
         let turned = |f: FaceId| cycles.runs_backward(f, found.is_flipped[f]);
         gone.map(|face| {
             let group = cycles.group_of(face).map_or(&[][..], |group| &cycles.groups()[group]);
-            match group.iter().copied().find(|&f| found.is_alive[f]) {
-                Some(original) if turned(original) == turned(face) => {
-                    Defect::DuplicateFace { face, original }
-                }
-                original => Defect::OppositeFace { face, original: original.unwrap_or(face) },
+            let alive = || group.iter().copied().filter(|&f| found.is_alive[f]);
+            match alive().find(|&f| turned(f) == turned(face) && cycles.are_alike(f, face)) {
+                Some(original) => Defect::DuplicateFace { face, original },
+                None => Defect::OppositeFace { face, original: alive().next().unwrap_or(face) },
             }
         })
         .collect()
+    }
+
+    /// In what faces that went differ from those that they repeat.
+    fn differed<K: Connectivity>(&self, kernel: &K, dropped: &[Defect]) -> Vec<(FaceId, Differences)> {
+        let Some(telling) = Telling::of(self.mesh, TellingLayers::All) else { return Vec::new() };
+        let differs = |defect: &Defect| match *defect {
+            Defect::DuplicateFace { face, original } | Defect::OppositeFace { face, original } => {
+                let [one, other] = [face, original].map(|face| looks(kernel, self.mesh, face));
+                Some((face, telling.differences(&one, &other)))
+            }
+            _ => None,
+        };
+        dropped.iter().filter_map(differs).filter(|(_, differs)| !differs.is_empty()).collect()
     }
 
     /// The mesh with faces turned and none dropped.
@@ -395,8 +420,8 @@ impl Task<'_> {
         faces.iter().map(|face| ids[face.index()]).collect()
     }
 
-    /// Opposite duplicates, by the new faces' ids.
-    fn opposite_left(&self, cycles: &Cycles, found: &Found) -> Vec<Defect> {
+    /// Opposite duplicates, and repeated faces that differ, by the new faces' ids.
+    fn alike_left<K: Connectivity>(&self, kernel: &K, cycles: &Cycles, found: &Found) -> Vec<Defect> {
         if cycles.is_empty() {
             return Vec::new();
         }
@@ -411,8 +436,35 @@ impl Task<'_> {
             let opposite = alive.filter(|&f| way(f) != way(first));
             left.extend(opposite.map(|f| Defect::OppositeFace { face: new_id[f.index()], original }));
         }
+        for (face, original, differs) in self.differing_left(kernel, cycles, found) {
+            let [face, original] = [face, original].map(|face| new_id[face.index()]);
+            left.push(Defect::DifferingFace { face, original, differs });
+        }
         left.sort();
         left
+    }
+
+    /// The faces that stay, run as an earlier one does that stays too, and differ from it: face, the earlier one, in what.
+    fn differing_left<K: Connectivity>(
+        &self,
+        kernel: &K,
+        cycles: &Cycles,
+        found: &Found,
+    ) -> Vec<(FaceId, FaceId, Differences)> {
+        let Some(telling) = Telling::of(self.mesh, self.context.telling) else { return Vec::new() };
+        let mut differing = Vec::new();
+        for (group, is_backward) in cycles.groups().iter().flat_map(|group| [(group, false), (group, true)]) {
+            let stays = |&f: &FaceId| {
+                found.is_alive[f] && cycles.runs_backward(f, found.is_flipped[f]) == is_backward
+            };
+            let mut faces = group.iter().copied().filter(stays);
+            let Some(first) = faces.next() else { continue };
+            for face in faces.filter(|&face| !cycles.are_alike(face, first)) {
+                let [one, other] = [face, first].map(|face| looks(kernel, self.mesh, face));
+                differing.push((face, first, telling.differences(&one, &other)));
+            }
+        }
+        differing
     }
 }
 

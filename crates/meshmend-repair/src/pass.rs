@@ -3,14 +3,14 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use meshmend_core::{
-    Complex, CornerId, Defect, DefectKind, DraftError, FaceTableError, Id, PolygonMesh, Provenance, Refusal,
-    VertexId,
+    Complex, CornerId, Defect, DefectKind, Differences, DraftError, FaceId, FaceTableError, Id, PolygonMesh,
+    Provenance, Refusal, VertexId,
 };
 use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;
 use thiserror::Error;
 
-use crate::{Clearance, Mended, SeamFigures};
+use crate::{Clearance, Emptied, Mended, SeamFigures, TellingLayers};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
 pub trait Pass {
@@ -45,12 +45,14 @@ pub struct Outcome {
     pub report: Option<Box<TopologyReport>>,
     /// What cutting non-orientable patches open took, where the pass did.
     pub seam: Option<SeamFigures>,
+    /// The faces that went as repeats of others although they differ from them, by ids of the mesh before.
+    pub differed: Vec<(FaceId, Differences)>,
 }
 
 impl Outcome {
     /// The outcome of a pass that made a new mesh.
     pub(crate) fn changed((mesh, provenance): (PolygonMesh, Provenance), mended: Mended) -> Self {
-        Outcome { mesh, provenance, mended, left: Vec::new(), report: None, seam: None }
+        Outcome { mesh, provenance, mended, left: Vec::new(), report: None, seam: None, differed: Vec::new() }
     }
 
     /// The outcome of a pass that had nothing to do. *Cost*: O(1).
@@ -62,6 +64,7 @@ impl Outcome {
             left: Vec::new(),
             report: None,
             seam: None,
+            differed: Vec::new(),
         }
     }
 }
@@ -90,6 +93,9 @@ pub enum PassError {
         /// What is wrong with the option.
         reason: String,
     },
+    /// No face would be left of a mesh that has some.
+    #[error(transparent)]
+    Emptied(#[from] Emptied),
     /// The caller asked to stop.
     #[error("cancelled")]
     Cancelled,
@@ -131,6 +137,8 @@ pub struct Context<'a> {
     pub report: Option<&'a TopologyReport>,
     /// What created vertices keep clear of.
     pub clearance: Clearance,
+    /// Which attribute layers tell a face from another one over the same vertices.
+    pub telling: TellingLayers<'a>,
 }
 
 impl Context<'_> {

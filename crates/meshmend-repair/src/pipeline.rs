@@ -5,7 +5,7 @@ mod run;
 
 use std::sync::atomic::AtomicBool;
 
-use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Provenance};
+use meshmend_core::{Defect, DefectKind, Differences, FaceId, PolygonMesh, Provenance};
 use meshmend_kernels::KernelKind;
 use meshmend_topology::{TopologyReport, Witness};
 
@@ -13,8 +13,8 @@ pub use self::rounds::FaceStorage;
 use self::run::Run;
 use crate::figures::Figures;
 use crate::{
-    AnyPass, Clearance, Compact, Context, Examined, Mended, NonOrientable, Orient, Outcome, PassError,
-    PassKind, Precision, SeamFigures, Seams, Side, Unused,
+    AnyPass, Clearance, Compact, Context, Emptied, Emptying, Examined, Mended, NonOrientable, Orient,
+    Outcome, PassError, PassKind, Precision, Repeated, SeamFigures, Seams, Side, TellingLayers, Unused,
 };
 
 /// Passes in order, with their options.
@@ -38,6 +38,8 @@ pub struct Pipeline {
     takes_figures: bool,
     precision: Precision,
     faces: FaceStorage,
+    emptying: Emptying,
+    held_layers: Option<Vec<bool>>,
 }
 
 impl Default for Pipeline {
@@ -76,6 +78,8 @@ pub struct RemovedFace {
     pub pass: PassKind,
     /// Why.
     pub reason: DefectKind,
+    /// In what it differed from the face that it repeated, if that is why.
+    pub differed: Differences,
 }
 
 /// What one pass of a pipeline did.
@@ -142,6 +146,8 @@ impl Pipeline {
             takes_figures: false,
             precision: Precision::Double,
             faces: FaceStorage::Indexed,
+            emptying: Emptying::default(),
+            held_layers: None,
         }
     }
 
@@ -166,6 +172,18 @@ impl Pipeline {
         Pipeline { faces, ..self }
     }
 
+    /// The pipeline with another way to deal with meshes of which it would leave no face.
+    pub fn on_emptying(self, emptying: Emptying) -> Self {
+        Pipeline { emptying, ..self }
+    }
+
+    /// The pipeline for an output that can hold some of the mesh's attribute layers alone: for each of them whether it
+    /// does. Faces that repeat others are told apart by those layers only, since they would be plain repeats to whoever
+    /// reads the output.
+    pub fn for_layers(self, held: Vec<bool>) -> Self {
+        Pipeline { held_layers: Some(held), ..self }
+    }
+
     /// The passes, in order.
     pub fn passes(&self) -> &[AnyPass] {
         &self.passes
@@ -173,8 +191,10 @@ impl Pipeline {
 
     /// Repairs a mesh.
     ///
+    /// A mesh without a face comes out as it went in: its vertices and loose elements are what it is about.
+    ///
     /// # Errors
-    /// When a policy says so, or the kernel can't hold the mesh.
+    /// When a policy says so, the kernel can't hold the mesh, or no face would be left of it.
     pub fn run(&self, mesh: &PolygonMesh) -> Result<Repaired, PassError> {
         self.run_watched(mesh, None, |_| {})
     }
@@ -208,6 +228,7 @@ impl Pipeline {
         let (mut run, mut passes) = (Run::begin(&stored, self.takes_figures), self.passes.as_slice());
         match (weld, self.passes.split_first()) {
             (None, _) => (run.mesh, run.known) = (mesh, known),
+            _ if stored.counts().faces == 0 => {}
             (Some((weld, outcome)), Some((AnyPass::Weld(first), rest))) if *first == weld => {
                 observe(PassKind::Weld);
                 run.tolerance = weld.tolerance_on(&stored);
@@ -226,10 +247,18 @@ impl Pipeline {
         cancel: Option<&AtomicBool>,
         observe: impl FnMut(PassKind),
     ) -> Result<Repaired, PassError> {
+        let stored = run.stored().clone();
+        let has_faces = stored.counts().faces > 0;
         self.run_round(passes, &mut run, cancel, observe)?;
         let run = self.settled(run, cancel)?;
-        self.check_promises(&run)?;
-        Ok(run.finish(self.faces))
+        if has_faces {
+            self.check_promises(&run)?;
+        }
+        let repaired = run.finish(self.faces);
+        if has_faces && repaired.mesh.counts().faces == 0 && self.emptying == Emptying::Refuse {
+            return Err(Emptied::by(&self.passes, &stored, &repaired).into());
+        }
+        Ok(repaired)
     }
 
     fn run_round<'a>(
@@ -239,6 +268,8 @@ impl Pipeline {
         cancel: Option<&AtomicBool>,
         mut observe: impl FnMut(PassKind),
     ) -> Result<(), PassError> {
+        let telling = self.telling();
+        let has_faces = run.stored().counts().faces > 0;
         for pass in passes {
             observe(pass.kind());
             if let AnyPass::Weld(weld) = pass {
@@ -246,13 +277,27 @@ impl Pipeline {
             }
             let report = run.known.as_ref();
             let clearance = self.clearance(run.tolerance);
-            let context =
-                Context { kernel: self.kernel, history: Some(&run.history), cancel, report, clearance };
+            let history = Some(&run.history);
+            let context = Context { kernel: self.kernel, history, cancel, report, clearance, telling };
             context.check_cancelled()?;
-            let outcome = pass.as_pass().apply(&run.mesh, &context)?;
+            let outcome = if has_faces || pass.kind() == PassKind::Recompute {
+                pass.as_pass().apply(&run.mesh, &context)?
+            } else {
+                Outcome::unchanged(&run.mesh)
+            };
             run.record(pass.kind(), outcome);
         }
         Ok(())
+    }
+
+    /// Which layers tell apart faces that repeat others.
+    fn telling(&self) -> TellingLayers<'_> {
+        let drops =
+            |pass: &AnyPass| matches!(pass, AnyPass::Clean(clean) if clean.repeated == Repeated::Drop);
+        if self.passes.iter().any(drops) {
+            return TellingLayers::Only(&[]);
+        }
+        self.held_layers.as_deref().map_or(TellingLayers::All, TellingLayers::Only)
     }
 
     /// What the vertices that its passes create keep clear of, when vertices within a tolerance were joined.
@@ -276,7 +321,10 @@ impl Pipeline {
             }
         }
         for kind in promised {
-            let is_named = |defect: &Defect| defect.kind() == DefectKind::NonOrientablePatch;
+            // Copies of a face that differ run the same way along an edge until `split` takes them apart.
+            let is_named = |defect: &Defect| {
+                matches!(defect.kind(), DefectKind::NonOrientablePatch | DefectKind::DifferingFace)
+            };
             let is_twisted = report.non_orientable_patches > 0
                 || run.passes.iter().any(|record| record.left.iter().any(is_named));
             if kind == DefectKind::InconsistentEdge && is_twisted {
@@ -343,6 +391,11 @@ mod tests {
                  a strip of 6 faces from f0 comes back reversed",
             ),
             (failure(&no_distance, &triangle), "weld: a tolerance of -1 is no distance"),
+            (
+                failure(&Pipeline::default(), &infinite),
+                "the repair would remove the only face: faces with non-finite corners: 1, because of \
+                 --non-finite drop",
+            ),
             (Pipeline::default().run_watched(&mesh, Some(&stop), |_| {}).unwrap_err(), "cancelled"),
             (
                 promise_of_the_lazy(&Pipeline::default(), &shapes::book(3).soup).unwrap(),
@@ -356,7 +409,7 @@ mod tests {
         ];
         assert_every_variant!(
             cases,
-            PassError { Refused, Policy, Request, Cancelled, Promise, Table, Draft }
+            PassError { Refused, Policy, Request, Emptied, Cancelled, Promise, Table, Draft }
         );
     }
 

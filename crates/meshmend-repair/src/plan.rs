@@ -2,12 +2,14 @@
 //!
 //! ```toml
 //! passes = ["weld", "clean", "orient", "split", "triangulate", "compact", "recompute"]
+//! empty = "refuse"                    # allow: a result without a face
 //!
 //! [weld]
 //! distance = { relative = 1e-6 }      # or "exact", or { absolute = 0.01 }
 //!
 //! [clean]
 //! non-finite = "drop"                 # keep, fail
+//! repeated = "keep-different"         # drop
 //!
 //! [orient]
 //! side = "outward"                    # majority
@@ -30,7 +32,9 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::{AnyPass, Clean, Compact, Orient, PassKind, Pipeline, Recompute, Split, Triangulate, Weld};
+use crate::{
+    AnyPass, Clean, Compact, Emptying, Orient, PassKind, Pipeline, Recompute, Split, Triangulate, Weld,
+};
 
 /// The passes of a pipeline with their options, as a file says them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,6 +42,8 @@ use crate::{AnyPass, Clean, Compact, Orient, PassKind, Pipeline, Recompute, Spli
 pub struct Plan {
     /// The passes, in order.
     pub passes: Vec<PassKind>,
+    /// What happens when no face would be left.
+    pub empty: Emptying,
     /// Options of `weld`.
     pub weld: Weld,
     /// Options of `clean`.
@@ -58,6 +64,7 @@ impl Default for Plan {
     fn default() -> Self {
         Plan {
             passes: PassKind::ALL.to_vec(),
+            empty: Emptying::default(),
             weld: Weld::default(),
             clean: Clean::default(),
             orient: Orient::default(),
@@ -99,7 +106,7 @@ impl Plan {
 
     /// The pipeline that the plan describes.
     pub fn pipeline(&self) -> Pipeline {
-        Pipeline::new(self.passes.iter().map(|&kind| self.pass(kind)))
+        Pipeline::new(self.passes.iter().map(|&kind| self.pass(kind))).on_emptying(self.empty)
     }
 
     fn pass(&self, kind: PassKind) -> AnyPass {

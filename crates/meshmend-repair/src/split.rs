@@ -3,7 +3,8 @@
 //! *Why*: most data structures and tools need manifold meshes, and many get them by deleting faces. Here nothing is
 //! deleted: vertices are given copies.
 //!
-//! 1. Match sides that are beyond doubt: rules 1 and 2 of the text.
+//! 1. Match sides that are beyond doubt: rules 1 and 2 of the text. A face that repeats another one and differs from it
+//!    is not sewn to it.
 //! 2. Where a non-orientable patch is to be cut, part the matched sides that run the same way: they are a seam.
 //! 3. At edges of degree three or more, match what is free by policy: into sheets, or not at all.
 //! 4. The new vertices are the classes of corners that are joined across matched sides, so a vertex has exactly one
@@ -17,13 +18,15 @@
 //! F. Lazarus, W. Horn, *Cutting and stitching*, 2001, for splitting by matching; the sheets follow the text.
 
 use meshmend_core::{
-    Connectivity, CornerId, Defect, DefectKind, EdgeClass, PolygonMesh, VertexClass, edge_class,
-    irregular_vertices, is_inconsistent,
+    Connectivity, CornerId, Defect, DefectKind, EdgeClass, EdgeId, PolygonMesh, VertexClass, VertexId,
+    edge_class, irregular_vertices, is_inconsistent,
 };
 use meshmend_kernels::KernelTask;
 use serde::{Deserialize, Serialize};
 
-use crate::matching::{Matching, StoredGroups};
+use crate::copies::Copies;
+use crate::matching::{Matching, StoredGroups, may_match};
+use crate::telling::Telling;
 use crate::{Context, Outcome, Pass, PassError, StoredNames};
 
 mod draft;
@@ -122,10 +125,11 @@ impl KernelTask for Task<'_> {
         let stored = StoredNames::new(self.mesh, self.context);
         let is_manifold = self.context.report.is_some_and(|report| report.manifold);
         let irregular = if is_manifold { Vec::new() } else { irregular_vertices(kernel) };
-        if irregular.is_empty() && self.is_whole(kernel, &stored) {
+        let copies = self.copies(kernel, &irregular);
+        if irregular.is_empty() && copies.is_none() && self.is_whole(kernel, &stored) {
             return Ok(Outcome::unchanged(self.mesh));
         }
-        let mut matching = Matching::by_rules(kernel, &stored);
+        let mut matching = Matching::by_rules(kernel, &stored, copies.as_ref());
         let seam = match self.options.seams {
             Seams::Keep => Vec::new(),
             Seams::Cut => seams::part_seams(kernel, &mut matching),
@@ -133,25 +137,44 @@ impl KernelTask for Task<'_> {
         self.context.check_cancelled()?;
         let joined = match self.options.edges {
             SplitEdges::Sheets => {
-                sheets::match_sheets(kernel, self.mesh, &mut matching);
+                sheets::match_sheets(kernel, self.mesh, copies.as_ref(), &mut matching);
                 Vec::new()
             }
             SplitEdges::Cut => Vec::new(),
             SplitEdges::PinchOnly => joined_as_stored(kernel, &stored),
         };
         self.context.check_cancelled()?;
-        let parts = VertexParts::of(kernel, &matching, &joined, seams::with_ends(kernel, irregular, &seam));
+        let parted = parted_copies(kernel, copies.as_ref());
+        let cut: Vec<EdgeId> =
+            seam.iter().map(|&(one, _)| kernel.corner_edge(one)).chain(parted.iter().copied()).collect();
+        let parts = VertexParts::of(kernel, &matching, &joined, seams::with_ends(kernel, irregular, &cut));
         let names = NewVertices::name(kernel, &stored, &parts);
         let figures = seams::seam_figures(kernel, self.mesh, &matching, &names, &seam);
         let inserted = match self.options.edges {
             SplitEdges::PinchOnly => Inserted { vertices: Vec::new(), sides: Vec::new(), edges: Vec::new() },
             _ => subdivide::subdivide(kernel, self.mesh, &matching, &names, self.context.clearance),
         };
-        let seam = seams::seam_edges(kernel, &seam).collect();
+        let mut seam: Vec<Defect> = seams::seam_edges(kernel, &seam).collect();
+        seam.extend(
+            parted.iter().map(|&edge| Defect::InconsistentEdge { edge, ends: kernel.edge_ends(edge) }),
+        );
         drop(matching);
         let outcome = self.outcome(kernel, &parts, names, inserted, seam)?;
         Ok(Outcome { seam: figures, ..outcome })
     }
+}
+
+/// The edges that only two copies of a face have, which differ and so come apart.
+fn parted_copies<K: Connectivity>(kernel: &K, copies: Option<&Copies>) -> Vec<EdgeId> {
+    let Some(copies) = copies else { return Vec::new() };
+    let is_parted = |&edge: &EdgeId| {
+        let mut corners = kernel.edge_corners(edge);
+        match (corners.next(), corners.next(), corners.next()) {
+            (Some(one), Some(other), None) => !may_match(kernel, Some(copies), one, other),
+            _ => false,
+        }
+    };
+    kernel.edges().filter(is_parted).collect()
 }
 
 /// The sides that `pinch-only` keeps together: those of one edge of degree three or more as stored.
@@ -169,6 +192,16 @@ fn joined_as_stored<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Vec
 }
 
 impl Task<'_> {
+    /// The faces that repeat others and differ from them. Where each vertex is regular, they have inconsistent edges.
+    fn copies<K: Connectivity>(&self, kernel: &K, irregular: &[(VertexId, VertexClass)]) -> Option<Copies> {
+        Telling::of(self.mesh, self.context.telling)?;
+        let clashes = || kernel.edges().any(|edge| is_inconsistent(kernel, edge));
+        if irregular.is_empty() && !clashes() {
+            return None;
+        }
+        Copies::find(kernel, self.mesh, self.context)
+    }
+
     /// Whether nothing is to be split in a mesh whose vertices are regular, as far as can be seen without a matching.
     fn is_whole<K: Connectivity>(&self, kernel: &K, names: &StoredNames<'_>) -> bool {
         let clashes = || kernel.edges().any(|edge| is_inconsistent(kernel, edge));
@@ -221,6 +254,8 @@ impl Task<'_> {
                 VertexClass::Pinched { umbrellas, boundary_only } => {
                     Defect::PinchedVertex { vertex, umbrellas, boundary_only }
                 }
+                // An edge that ends here is named.
+                VertexClass::Disc | VertexClass::HalfDisc => continue,
                 _ => Defect::SingularVertex { vertex },
             });
         }

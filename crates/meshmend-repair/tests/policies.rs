@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use meshmend_core::{Carry, Domain, FaceId, Layer, Values, VertexId};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
-    Duplicates, LooseElements, NonFinite, NonOrientable, PassError, PassKind, Pipeline, Plan, Repaired, Side,
-    TriangulateFaces,
+    Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, PassError, PassKind, Pipeline, Plan,
+    Repaired, Side, TriangulateFaces,
 };
 use meshmend_testkit::{Soup, oracle, reference, shapes};
 
@@ -93,7 +93,7 @@ fn solids_that_touch_are_turned_outward_too() {
 fn opposite_duplicates_stay_unless_told_otherwise() {
     let soup = Soup::generic(3, [[0, 1, 2], [0, 2, 1]]);
     let run = |duplicates| {
-        let mut plan = Plan::default();
+        let mut plan = Plan { empty: Emptying::Allow, ..Plan::default() };
         plan.orient.duplicates = duplicates;
         plan.pipeline().run(&soup.mesh()).unwrap()
     };

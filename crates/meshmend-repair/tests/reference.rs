@@ -13,7 +13,7 @@ use std::process::{Command, Stdio};
 
 use meshmend_core::{Defect, FaceId, FaceTableBuilder, PolygonMesh, VertexId};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{PassKind, Pipeline, Plan, Repaired, SplitEdges};
+use meshmend_repair::{Emptying, PassKind, Pipeline, Plan, Repaired, SplitEdges};
 use meshmend_testkit::{Soup, reference};
 use serde_json::Value;
 
@@ -113,7 +113,7 @@ fn rotated(mut face: Vec<u32>) -> Vec<u32> {
 fn pipeline(edges: SplitEdges) -> Pipeline {
     let mut plan = Plan::default().without(PassKind::Triangulate);
     plan.split.edges = edges;
-    plan.pipeline()
+    plan.pipeline().on_emptying(Emptying::Allow)
 }
 
 #[test]

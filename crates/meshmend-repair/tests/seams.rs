@@ -4,13 +4,13 @@
 
 use meshmend_core::{DefectKind, PolygonMesh};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{NonOrientable, PassKind, Pipeline, Plan, Repaired, SeamFigures};
+use meshmend_repair::{Emptying, NonOrientable, PassKind, Pipeline, Plan, Repaired, SeamFigures};
 use meshmend_testkit::shapes::{self, Closed, Shape, Tiles};
 use meshmend_testkit::{Soup, oracle, worlds};
 use proptest::prelude::*;
 
 fn cutting() -> Pipeline {
-    let mut plan = Plan::default();
+    let mut plan = Plan { empty: Emptying::Allow, ..Plan::default() };
     plan.orient.non_orientable = NonOrientable::Cut;
     plan.pipeline()
 }

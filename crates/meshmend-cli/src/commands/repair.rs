@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use meshmend::io::{Prepared, replace_file};
+use meshmend::io::{Prepared, held_layers, replace_file};
 use meshmend::repair::FaceStorage;
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
@@ -109,6 +109,10 @@ impl Repair {
         if let Some(target) = &mut target {
             target.options = std::mem::take(&mut target.options).as_read(&file);
         }
+        let pipeline = match &target {
+            Some(target) => pipeline.for_layers(held_layers(&file.mesh, &target.options)),
+            None => pipeline,
+        };
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         progress.step("check");
         let (before, examined) = if self.quiet { None } else { Some(self.before(&file)?) }.unzip();

@@ -109,6 +109,7 @@ fn beside_of(count: u64, what: &str) -> String {
 fn reason(reason: Reason) -> &'static str {
     match reason {
         Reason::NonManifoldComponent => "not defined: a component is not manifold",
+        Reason::NoFaces => "not defined: there is no face",
         Reason::NoOrientableComponent => "not defined: no component is orientable",
         Reason::NoNonOrientableComponent => "not defined: every component is orientable",
         Reason::EliminationBudget | Reason::SearchBudget => "not computed: it would take too long",
@@ -117,6 +118,9 @@ fn reason(reason: Reason) -> &'static str {
 
 /// The answers of yes and no, each no with its reasons.
 fn verdicts(report: &TopologyReport, style: Style) -> Vec<String> {
+    if report.faces == 0 {
+        return vec!["there is no face to judge".to_owned()];
+    }
     let verdict = |label: &str, answer: bool, reasons: &[(DefectKind, u64)]| {
         let reasons = reasons.iter().copied().filter(|&(_, count)| count > 0);
         let mark = format!("{:<3}", yes_no(answer));

@@ -2,8 +2,8 @@
 
 use meshmend::io::LossKind;
 use meshmend::repair::SeamFigures;
-use meshmend::report::{FigureChanges, PassDocument, RepairDocument};
-use meshmend::{Loss, PassKind, Severity};
+use meshmend::report::{FigureChanges, NamedFace, PassDocument, RepairDocument};
+use meshmend::{DefectKind, Loss, PassKind, Severity};
 
 use super::check::{column, defects};
 use super::table::{self, Align};
@@ -62,12 +62,10 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
     ];
     let changes = changes.into_iter().filter(|&(count, _)| count > 0);
     parts.extend(changes.map(|(count, what)| format!("{what}: {count}")));
-    if !document.changed {
-        parts.push("nothing to mend".to_owned());
-    }
     match (before.faces, after.faces) {
-        (0, 0) => parts.push("the result is empty: there were no faces".to_owned()),
+        (0, _) => parts.push("nothing to mend: there is no face".to_owned()),
         (_, 0) => parts.push("the result is empty: no face is left".to_owned()),
+        _ if !document.changed => parts.push("nothing to mend".to_owned()),
         _ => {}
     }
     format!("{target}: {}\n", parts.join(", "))
@@ -101,7 +99,25 @@ fn pass(document: &PassDocument) -> Vec<String> {
     if !left.is_empty() {
         lines.push(format!("{:<12}left alone: {left}", ""));
     }
+    lines.extend(named_one_by_one(document).map(|line| format!("{:<14}{line}", "")));
     lines
+}
+
+/// The items of what a pass left that the result no longer shows, with what could be done about it.
+fn named_one_by_one(document: &PassDocument) -> impl Iterator<Item = String> + '_ {
+    let kinds = [
+        (DefectKind::DifferingFace, ""),
+        (DefectKind::UnjudgedPatch, ""),
+        (DefectKind::TurnedCavity, "--orient outward-nested keeps the walls of cavities"),
+    ];
+    kinds.into_iter().filter_map(|(kind, hint)| Some((document.left.get(&kind)?, hint))).flat_map(
+        |(left, hint)| {
+            let hidden = left.count - left.items.len() as u64;
+            let more = (hidden > 0).then(|| format!("… and {hidden} more"));
+            let hint = (!hint.is_empty()).then(|| hint.to_owned());
+            left.items.iter().map(ToString::to_string).chain(more).chain(hint)
+        },
+    )
 }
 
 /// What cutting non-orientable patches open took.
@@ -121,15 +137,28 @@ fn deltas(delta: FigureChanges) -> String {
     format!("Δχ {}, Δs {}, Δb {loops}", change(delta.euler_characteristic), change(delta.components))
 }
 
+fn removed_face(face: &NamedFace) -> String {
+    let had: Vec<String> =
+        face.had.iter().map(|(aspect, name)| format!("{aspect} {}", printable(name))).collect();
+    let had = if had.is_empty() { String::new() } else { format!(" (it had {})", had.join(", ")) };
+    let differed = if face.differed.is_empty() {
+        String::new()
+    } else {
+        format!(", although it differed in {}{had}", face.differed)
+    };
+    format!("  {} by {}: {}{differed}", face.face, face.pass, face.reason)
+}
+
 fn removed(document: &RepairDocument) -> Vec<String> {
     let removed = &document.removed_faces;
     if removed.count == 0 {
         return Vec::new();
     }
     let mut lines = vec![kinds_with_counts(removed.by_reason.iter().map(|(&kind, &count)| (kind, count)))];
-    lines.extend(
-        removed.items.iter().map(|face| format!("  {} by {}: {}", face.face, face.pass, face.reason)),
-    );
+    if removed.differing > 0 {
+        lines.push(format!("that differed from what they repeat: {}", removed.differing));
+    }
+    lines.extend(removed.items.iter().map(removed_face));
     let hidden = removed.count - removed.items.len() as u64;
     if hidden > 0 {
         lines.push(format!("  … and {hidden} more"));

@@ -1,9 +1,15 @@
 //! Which faces have the same cycle of vertices, and which patches own each directed cycle.
+//!
+//! Faces that have a cycle in common but differ in a material or the like own it each for themselves.
 
 use std::collections::BTreeMap;
 
-use meshmend_core::{Column, Connectivity, FaceId};
+use meshmend_core::{Column, Connectivity, FaceId, PolygonMesh};
 use meshmend_topology::{AlikeFace, alike_faces};
+
+use crate::Context;
+use crate::copies::{Copies, looks};
+use crate::telling::{Looks, Telling};
 
 const ALONE: u32 = u32::MAX;
 
@@ -12,26 +18,70 @@ pub(crate) struct Cycles {
     group: Column<FaceId, u32>,
     runs_backward: Column<FaceId, bool>,
     members: Vec<Vec<FaceId>>,
+    /// For each face the number of those in its group that it does not differ from, if any.
+    class: Column<FaceId, u32>,
+    class_count: u32,
+    copies: Option<Copies>,
 }
 
 impl Cycles {
     /// The groups of two faces and more.
     ///
-    /// *Cost*: that of [`alike_faces`], and 5 bytes a face.
-    pub(crate) fn of<K: Connectivity>(kernel: &K) -> Self {
+    /// *Cost*: that of [`alike_faces`], and 5 bytes a face; 9 where there are any.
+    pub(crate) fn of<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, context: &Context<'_>) -> Self {
         let mut cycles = Cycles {
             group: Column::filled(ALONE, kernel.face_count()),
             runs_backward: Column::filled(false, kernel.face_count()),
             members: Vec::new(),
+            class: Column::default(),
+            class_count: 0,
+            copies: None,
         };
-        for (group, alike) in (0..).zip(alike_faces(kernel)) {
-            for &AlikeFace { face, is_reversed } in &alike {
+        let alike = alike_faces(kernel);
+        if alike.is_empty() {
+            return cycles;
+        }
+        for (group, alike) in (0..).zip(&alike) {
+            for &AlikeFace { face, is_reversed } in alike {
                 cycles.group[face] = group;
                 cycles.runs_backward[face] = is_reversed;
             }
-            cycles.members.push(alike.into_iter().map(|alike| alike.face).collect());
+            cycles.members.push(alike.iter().map(|alike| alike.face).collect());
+        }
+        match Telling::of(mesh, context.telling) {
+            Some(telling) => {
+                cycles.copies = Copies::among(kernel, mesh, &alike, &telling);
+                cycles.tell_apart(kernel, mesh, &telling);
+            }
+            None => (cycles.class, cycles.class_count) = (cycles.group.clone(), alike.len() as u32),
         }
         cycles
+    }
+
+    /// Parts the groups into classes of faces that don't differ.
+    fn tell_apart<K: Connectivity>(&mut self, kernel: &K, mesh: &PolygonMesh, telling: &Telling<'_>) {
+        self.class = Column::filled(ALONE, kernel.face_count());
+        for members in &self.members {
+            let looks: Vec<Looks> = members.iter().map(|&face| looks(kernel, mesh, face)).collect();
+            let first_alike = telling.first_alike(&looks);
+            for (place, &first) in first_alike.iter().enumerate().filter(|(place, first)| place != *first) {
+                if self.class[members[first]] == ALONE {
+                    self.class[members[first]] = self.class_count;
+                    self.class_count += 1;
+                }
+                self.class[members[place]] = self.class[members[first]];
+            }
+        }
+    }
+
+    /// The faces that run round the same vertices in the same direction as others and differ from them.
+    pub(crate) fn copies(&self) -> Option<&Copies> {
+        self.copies.as_ref()
+    }
+
+    /// Whether two faces of one group don't differ.
+    pub(crate) fn are_alike(&self, one: FaceId, other: FaceId) -> bool {
+        self.class[one] != ALONE && self.class[one] == self.class[other]
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -54,9 +104,15 @@ impl Cycles {
         self.runs_backward[face] ^ is_flipped
     }
 
-    /// The directed cycle of a face, as a number.
+    /// The directed cycle of a face, as a number that it shares with faces alone from which it does not differ; nothing
+    /// where there are none, whatever their direction.
     pub(crate) fn slot(&self, face: FaceId, is_flipped: bool) -> Option<u32> {
-        self.group_of(face).map(|group| 2 * group as u32 + u32::from(self.runs_backward(face, is_flipped)))
+        let class = self.class[face];
+        (class != ALONE).then(|| 2 * class + u32::from(self.runs_backward(face, is_flipped)))
+    }
+
+    fn slot_count(&self) -> usize {
+        2 * self.class_count as usize
     }
 }
 
@@ -77,7 +133,7 @@ impl Owners {
     pub(crate) fn new(cycles: &Cycles, face_count: usize) -> Self {
         Owners {
             count: BTreeMap::new(),
-            owners: vec![(0, 0); 2 * cycles.groups().len()],
+            owners: vec![(0, 0); cycles.slot_count()],
             blocked: Column::filled(0, face_count),
             unblocked: Vec::new(),
         }

@@ -5,7 +5,7 @@
 
 use std::cmp::Reverse;
 
-use meshmend_core::{Column, Connectivity, FaceId, PolygonMesh};
+use meshmend_core::{Column, Connectivity, FaceId, PolygonMesh, Unjudged};
 
 use super::cycles::{Cycles, Owners};
 use super::uses::Pair;
@@ -269,6 +269,34 @@ impl<'a, K: Connectivity> Patches<'a, K> {
                 && self.kernel.is_proper_face(f)
         });
         closed.map(|root| ring(&self.next_member, root)).collect()
+    }
+
+    /// The faces of each alive patch that has a consistent side but no outer one, and why, by lowest root. Asked only with
+    /// [`Sides::Outward`].
+    pub(crate) fn unjudged(&mut self) -> Vec<(Vec<FaceId>, Unjudged)> {
+        let mut found = Vec::new();
+        for face in (0..self.kernel.face_count() as u32).map(FaceId) {
+            let patch = self.patch[face];
+            let is_root = self.is_alive[face] && self.sets.find(face).0 == face;
+            if !is_root || patch.is_twisted || patch.is_cut || !self.kernel.is_proper_face(face) {
+                continue;
+            }
+            if patch.free_uses > 0 {
+                found.push((ring(&self.next_member, face), Unjudged::Open));
+            } else if self.volume_of(face).sign() == 0 {
+                found.push((ring(&self.next_member, face), Unjudged::NoVolume));
+            }
+        }
+        found
+    }
+
+    /// The volume that the patch of a root encloses.
+    fn volume_of(&self, root: FaceId) -> SignedVolume {
+        let mut volume = SignedVolume::new();
+        for face in ring(&self.next_member, root) {
+            volume.add_face(self.mesh, self.kernel.face_corners(face), self.is_flipped[face]);
+        }
+        volume
     }
 
     /// Turns all faces of a patch.

@@ -3,7 +3,8 @@
 use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId};
 
 use crate::StoredNames;
-use crate::matching::{Matching, StoredGroups};
+use crate::copies::Copies;
+use crate::matching::{Matching, StoredGroups, may_match, pairs_by_rank};
 
 /// The group of all uses along edges with at most two. These are matched at once, so that no face which goes for its
 /// double in another patch has one of them; they are too many ever to be two.
@@ -13,13 +14,27 @@ const NO_GROUP: u32 = 0;
 pub(crate) type Pair = (CornerId, CornerId);
 
 /// The pairs of rule 1 among the faces that are alive.
-pub(crate) fn pairs_as_stored<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Vec<Pair> {
+pub(crate) fn pairs_as_stored<K: Connectivity>(
+    kernel: &K,
+    names: &StoredNames<'_>,
+    copies: Option<&Copies>,
+) -> Vec<Pair> {
     let mut groups = StoredGroups::default();
     let mut pairs = Vec::new();
     for edge in kernel.edges() {
         for group in groups.uses_of(kernel, names, edge).chunk_by(|one, other| one.stored == other.stored) {
-            if let [one, other] = group {
-                pairs.push((one.corner, other.corner));
+            match group {
+                [one, other] if may_match(kernel, copies, one.corner, other.corner) => {
+                    pairs.push((one.corner, other.corner));
+                }
+                [_, _, _, ..] => {
+                    let mut by_rank =
+                        copies.map_or(Vec::new(), |copies| pairs_by_rank(kernel, copies, group));
+                    by_rank.sort_unstable();
+                    by_rank.dedup();
+                    pairs.extend(by_rank);
+                }
+                _ => {}
             }
         }
     }
@@ -29,7 +44,8 @@ pub(crate) fn pairs_as_stored<K: Connectivity>(kernel: &K, names: &StoredNames<'
 /// The alive uses of every edge, by what they join as stored, and their matching by rules 1 and 2.
 ///
 /// Matched pairs stay matched while duplicates go: uses only become fewer, and a patch goes as a whole.
-pub(crate) struct LiveUses {
+pub(crate) struct LiveUses<'a> {
+    copies: Option<&'a Copies>,
     edge_alive: Column<EdgeId, u32>,
     /// Only edges of degree three or more have groups.
     group_of: Column<CornerId, u32>,
@@ -41,15 +57,23 @@ pub(crate) struct LiveUses {
     edges_with_two: Vec<EdgeId>,
     groups_with_two: Vec<u32>,
     pairs_as_stored: Vec<Pair>,
+    /// The edges at which there are copies, ascending, and those of them that are to be looked at.
+    edges_with_copies: Vec<EdgeId>,
+    changed_edges_with_copies: Vec<EdgeId>,
 }
 
-impl LiveUses {
+impl<'a> LiveUses<'a> {
     pub(crate) fn new<K: Connectivity>(
         kernel: &K,
         names: &StoredNames<'_>,
+        copies: Option<&'a Copies>,
         is_alive: &Column<FaceId, bool>,
     ) -> Self {
+        let edges_with_copies = copies.map_or(Vec::new(), |copies| edges_of(kernel, copies.faces()));
         let mut live = LiveUses {
+            copies,
+            changed_edges_with_copies: edges_with_copies.clone(),
+            edges_with_copies,
             edge_alive: Column::filled(0, kernel.edge_count()),
             group_of: Column::filled(NO_GROUP, kernel.corner_count()),
             group_starts: vec![0, 0],
@@ -66,7 +90,11 @@ impl LiveUses {
             let alive = |corner: CornerId| is_alive[kernel.corner_face(corner)];
             live.edge_alive[edge] = uses.iter().filter(|u| alive(u.corner)).count() as u32;
             match uses {
-                [one, other] if live.edge_alive[edge] == 2 && one.stored == other.stored => {
+                [one, other]
+                    if live.edge_alive[edge] == 2
+                        && one.stored == other.stored
+                        && may_match(kernel, copies, one.corner, other.corner) =>
+                {
                     live.pairs_as_stored.push((one.corner, other.corner));
                 }
                 _ if live.edge_alive[edge] == 2 => live.edges_with_two.push(edge),
@@ -98,6 +126,9 @@ impl LiveUses {
             if self.edge_alive[edge] == 2 {
                 self.edges_with_two.push(edge);
             }
+            if self.edges_with_copies.binary_search(&edge).is_ok() {
+                self.changed_edges_with_copies.push(edge);
+            }
             let group = self.group_of[corner];
             self.group_alive[group as usize] -= 1;
             if self.group_alive[group as usize] == 2 {
@@ -111,13 +142,19 @@ impl LiveUses {
     pub(crate) fn new_pairs<K: Connectivity>(
         &mut self,
         kernel: &K,
+        names: &StoredNames<'_>,
         is_alive: &Column<FaceId, bool>,
     ) -> Vec<Pair> {
         let mut pairs = std::mem::take(&mut self.pairs_as_stored);
+        let copies = self.copies;
         let alive = |corner: &CornerId| is_alive[kernel.corner_face(*corner)];
         for group in std::mem::take(&mut self.groups_with_two).into_iter().map(|g| g as usize) {
             let range = self.group_starts[group] as usize..self.group_starts[group + 1] as usize;
-            pairs.extend(the_two(self.group_uses[range].iter().copied().filter(alive)));
+            let both = the_two(self.group_uses[range].iter().copied().filter(alive));
+            // Those of one rank may be matched already.
+            pairs.extend(both.filter(|&(a, b)| {
+                copies.is_none() || (self.matching.is_free(a) && may_match(kernel, copies, a, b))
+            }));
         }
         pairs.sort_unstable_by_key(|&(one, _)| (kernel.corner_edge(one), one));
         pairs.iter().for_each(|&(one, other)| self.matching.pair(one, other));
@@ -125,15 +162,44 @@ impl LiveUses {
         edges.sort_unstable();
         for edge in edges {
             let both = the_two(kernel.edge_corners(edge).filter(alive));
-            if let Some((one, other)) =
-                both.filter(|&(a, b)| self.matching.is_free(a) && self.matching.is_free(b))
-            {
-                self.matching.pair(one, other);
-                pairs.push((one, other));
-            }
+            let both = both.filter(|&(a, b)| may_match(kernel, copies, a, b));
+            pairs.extend(both.filter(|&pair| self.matching.pair_if_free(pair)));
+        }
+        if let Some(copies) = copies {
+            self.match_ranks(kernel, names, copies, is_alive, &mut pairs);
         }
         pairs
     }
+
+    /// Matches what has become unambiguous among the uses of one rank.
+    fn match_ranks<K: Connectivity>(
+        &mut self,
+        kernel: &K,
+        names: &StoredNames<'_>,
+        copies: &Copies,
+        is_alive: &Column<FaceId, bool>,
+        pairs: &mut Vec<Pair>,
+    ) {
+        let mut edges = std::mem::take(&mut self.changed_edges_with_copies);
+        edges.sort_unstable();
+        edges.dedup();
+        let mut groups = StoredGroups::default();
+        for edge in edges {
+            let mut uses = groups.uses_of(kernel, names, edge).to_vec();
+            uses.retain(|u| is_alive[kernel.corner_face(u.corner)]);
+            let by_rank = pairs_by_rank(kernel, copies, &uses);
+            pairs.extend(by_rank.into_iter().filter(|&pair| self.matching.pair_if_free(pair)));
+        }
+    }
+}
+
+/// The edges of some faces, ascending.
+fn edges_of<K: Connectivity>(kernel: &K, faces: impl Iterator<Item = FaceId>) -> Vec<EdgeId> {
+    let corners = faces.flat_map(|face| kernel.face_corners(face));
+    let mut edges: Vec<EdgeId> = corners.map(|corner| kernel.corner_edge(corner)).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    edges
 }
 
 /// The two items of an iterator that gives exactly two.

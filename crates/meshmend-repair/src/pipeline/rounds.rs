@@ -4,7 +4,8 @@
 //! they match as welded they match as stored the next time. Other policies may: a face that was turned outward repeats
 //! another one, a patch that `pinch-only` left is no longer held together by what it was, two faces that are the same
 //! as welded are now the same as stored. Then all passes run again on the result as it will be read, round by round,
-//! until a round changes nothing. That round is not part of the record.
+//! until a round changes nothing. That round is not part of the record. Faces that repeat others and differ from them are
+//! looked at again under any policy: which faces those are depends on the sides that were chosen.
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
@@ -72,7 +73,7 @@ impl Pipeline {
     fn may_change_again(&self, run: &Run) -> bool {
         let changed = |kind| run.last_round().iter().any(|record| record.pass == kind && record.is_changed);
         match self.finality() {
-            Finality::Always => false,
+            Finality::Always => run.has_copies() && run.last_round().iter().any(|record| record.is_changed),
             Finality::UnlessTakenApart => {
                 let is_cut_by_writer =
                     self.faces == FaceStorage::Apart && !run.mesh.faces().is_all_triangles();

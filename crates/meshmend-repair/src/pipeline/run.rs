@@ -1,6 +1,8 @@
 //! What a pipeline has done so far.
 
-use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh, Provenance, VertexId, turned_normals};
+use meshmend_core::{
+    Defect, DefectKind, Differences, FaceId, Id, PolygonMesh, Provenance, VertexId, turned_normals,
+};
 use meshmend_topology::TopologyReport;
 
 use super::{FaceStorage, PassRecord, RemovedFace, Repaired};
@@ -74,6 +76,12 @@ impl Run {
         &self.passes[self.round..]
     }
 
+    /// Whether faces that repeat others are there because they differ, as far as the last round saw.
+    pub(super) fn has_copies(&self) -> bool {
+        let is_copy = |defect: &Defect| defect.kind() == DefectKind::DifferingFace;
+        self.last_round().iter().any(|record| record.left.iter().any(is_copy))
+    }
+
     /// Takes over what one more round did to the mesh as it was read again.
     pub(super) fn follow(&mut self, (read, reading): (&PolygonMesh, &Provenance), next: Run) {
         let history = self.history.extended(reading, read);
@@ -104,12 +112,16 @@ impl Run {
             .filter_map(|defect| Some((removed_face(defect)?, defect.kind())))
             .collect();
         reasons.sort_unstable();
+        let mut differed = outcome.differed.clone();
+        differed.sort_unstable();
         for face in outcome.provenance.removed_faces() {
             let at = reasons.partition_point(|(named, _)| *named < face);
             let named = reasons.get(at).filter(|(named, _)| *named == face);
             let Some(stored) = self.history.provenance().faces.of(face) else { continue };
             let reason = named.map_or(DefectKind::DegenerateFace, |(_, kind)| *kind);
-            self.removed_faces.push(RemovedFace { face: stored, pass, reason });
+            let place = differed.binary_search_by_key(&face, |(named, _)| *named);
+            let differed = place.map_or(Differences::default(), |place| differed[place].1);
+            self.removed_faces.push(RemovedFace { face: stored, pass, reason, differed });
         }
     }
 
@@ -127,6 +139,7 @@ impl Run {
                 record.figures = Some([before, changes].map(|at| self.figures[at]));
             }
         }
+        self.keep_last_judgement();
         let provenance = self.history.provenance().clone();
         let survives = provenance.faces.survivors(provenance.before.faces);
         let mut removed_faces = self.removed_faces;
@@ -183,6 +196,15 @@ pub(super) fn forget_changes(passes: &mut [PassRecord]) {
     for record in passes {
         (record.is_changed, record.mended, record.seam) = (false, Mended::default(), None);
         record.figures = last.map(|[_, after]| [after; 2]);
+    }
+}
+
+impl Run {
+    /// Where patches are turned outward twice, what could not be judged the first time may have been the second time.
+    fn keep_last_judgement(&mut self) {
+        let orients = self.passes.iter_mut().filter(|record| record.pass == PassKind::Orient);
+        let not_last = orients.rev().skip(1);
+        not_last.for_each(|record| record.left.retain(|defect| defect.kind() != DefectKind::UnjudgedPatch));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Opens the seams of patches that have no consistent side, and says what that added.
 
-use meshmend_core::{Connectivity, CornerId, Defect, PolygonMesh, VertexClass, VertexId, umbrellas};
+use meshmend_core::{Connectivity, CornerId, Defect, EdgeId, PolygonMesh, VertexClass, VertexId, umbrellas};
 use petgraph::unionfind::UnionFind;
 use serde::Serialize;
 
@@ -44,13 +44,13 @@ pub(super) fn seam_edges<K: Connectivity>(kernel: &K, seam: &[Parted]) -> impl I
     edges.map(|edge| Defect::SeamEdge { edge, ends: kernel.edge_ends(edge) })
 }
 
-/// Vertices and the ends of a seam, ascending, with what they are.
+/// Vertices and the ends of edges that are cut, ascending, with what they are.
 pub(super) fn with_ends<K: Connectivity>(
     kernel: &K,
     mut vertices: Vec<(VertexId, VertexClass)>,
-    seam: &[Parted],
+    cut: &[EdgeId],
 ) -> Vec<(VertexId, VertexClass)> {
-    let ends = seam.iter().flat_map(|&(one, _)| kernel.edge_ends(kernel.corner_edge(one)));
+    let ends = cut.iter().flat_map(|&edge| kernel.edge_ends(edge));
     vertices.extend(ends.map(|vertex| (vertex, umbrellas(kernel, vertex).class())));
     vertices.sort_unstable();
     vertices.dedup();

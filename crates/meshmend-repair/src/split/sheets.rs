@@ -18,13 +18,19 @@ use rayon::prelude::*;
 use smallvec::SmallVec;
 
 use super::radial::{RadialUse, radial_order};
-use crate::matching::{Joined, Matching, SidedSets, run_the_same_way};
+use crate::copies::Copies;
+use crate::matching::{Joined, Matching, SidedSets, may_match, run_the_same_way};
 use crate::volume::SignedVolume;
 
 /// Completes a matching at the edges where two or more uses are free.
 ///
 /// *Cost*: O(n + Σ d log d) over the degrees d of those edges.
-pub(super) fn match_sheets<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, matching: &mut Matching) {
+pub(super) fn match_sheets<K: Connectivity>(
+    kernel: &K,
+    mesh: &PolygonMesh,
+    copies: Option<&Copies>,
+    matching: &mut Matching,
+) {
     let wanting = |&edge: &EdgeId| {
         kernel.edge_corners(edge).take(3).count() == 3
             && kernel.edge_corners(edge).filter(|&c| matching.is_free(c)).take(2).count() == 2
@@ -36,7 +42,8 @@ pub(super) fn match_sheets<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, matc
     let patches = PatchSides::of(kernel, mesh, matching);
     let pair_up = |&edge: &EdgeId| {
         let order = radial_order(kernel, mesh, edge);
-        let mut round = Round { kernel, patches: &patches, is_free: Vec::new(), pairs: Vec::new(), order };
+        let mut round =
+            Round { kernel, copies, patches: &patches, is_free: Vec::new(), pairs: Vec::new(), order };
         round.is_free = round.order.iter().map(|u| matching.is_free(u.corner)).collect();
         round.match_all();
         round.corner_pairs()
@@ -132,6 +139,7 @@ impl PatchSides {
 /// The pairing round one edge; uses go by their place in the order.
 struct Round<'a, K> {
     kernel: &'a K,
+    copies: Option<&'a Copies>,
     patches: &'a PatchSides,
     order: Vec<RadialUse>,
     is_free: Vec<bool>,
@@ -160,8 +168,11 @@ impl<K: Connectivity> Round<'_, K> {
         self.patch(a) == self.patch(b)
     }
 
+    /// Whether two uses run against each other, and are not of copies that differ. Such copies run the same way, unless
+    /// they come back to the edge.
     fn is_opposite(&self, a: usize, b: usize) -> bool {
-        self.order[a].is_forward != self.order[b].is_forward
+        let (one, other) = (&self.order[a], &self.order[b]);
+        one.is_forward != other.is_forward && may_match(self.kernel, self.copies, one.corner, other.corner)
     }
 
     fn is_apart(&self, a: usize, b: usize) -> bool {

@@ -87,7 +87,10 @@ pub(crate) fn step_laws(
         Patches::ByEdges => &[],
         Patches::ByMatching => &[DefectKind::InconsistentEdge, DefectKind::NonOrientablePatch],
     };
-    promise(pass).law(&world.found.clone().without(blind), &found.clone().without(blind))?;
+    // What has no face is left as it is.
+    if world.mesh.counts().faces > 0 {
+        promise(pass).law(&world.found.clone().without(blind), &found.clone().without(blind))?;
+    }
     Ok(World { mesh: outcome.mesh.clone(), found })
 }
 

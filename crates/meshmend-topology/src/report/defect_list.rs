@@ -163,13 +163,16 @@ impl DefectList {
             }
             DefectKind::NonOrientablePatch => each(&self.one_sided, |strip| strip.clone().into()),
             // What only some kernel, some pass or a look at positions finds.
-            DefectKind::PolygonFace
+            DefectKind::DifferingFace
+            | DefectKind::PolygonFace
             | DefectKind::NonFiniteFace
             | DefectKind::FaceWithHole
             | DefectKind::CrossingFace
             | DefectKind::SeamEdge
             | DefectKind::CoincidentEdges
-            | DefectKind::CoincidentVertex => Box::new(std::iter::empty()),
+            | DefectKind::CoincidentVertex
+            | DefectKind::UnjudgedPatch
+            | DefectKind::TurnedCavity => Box::new(std::iter::empty()),
         }
     }
 

@@ -134,6 +134,8 @@ pub struct Undefined {
 pub enum Reason {
     /// A component is no surface, and only surfaces have the figure.
     NonManifoldComponent,
+    /// There is no face that bounds anything, and so no surface.
+    NoFaces,
     /// Only orientable components have the figure, and there is none.
     NoOrientableComponent,
     /// Only non-orientable components have the figure, and there is none.
@@ -178,7 +180,7 @@ pub fn topology_with<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: W
     let (boundary_edges, non_manifold_edges) =
         (count(DefectKind::BoundaryEdge), count(DefectKind::NonManifoldEdge));
     let totals = SurfaceTotals::of(facts.values());
-    let mut undefined = totals.undefined();
+    let mut undefined = totals.undefined(components.count() > 0);
     let betti_unknown = (betti.z2.is_none() || betti.q.is_none()).then_some(Reason::EliminationBudget);
     undefined.extend(betti_unknown.map(|reason| Undefined { figure: "betti", reason }));
     let witness_unknown = (!is_least).then_some(Reason::SearchBudget);
@@ -263,9 +265,13 @@ impl SurfaceTotals {
     }
 
     /// Which of them are absent, and why.
-    fn undefined(&self) -> Vec<Undefined> {
+    fn undefined(&self, has_components: bool) -> Vec<Undefined> {
         let not_all_manifold = self.boundary_loops.is_none();
-        let why = |otherwise| if not_all_manifold { Reason::NonManifoldComponent } else { otherwise };
+        let why = |otherwise| match (has_components, not_all_manifold) {
+            (false, _) => Reason::NoFaces,
+            (true, true) => Reason::NonManifoldComponent,
+            (true, false) => otherwise,
+        };
         let figures = [
             ("boundary_loops", self.boundary_loops, Reason::NonManifoldComponent),
             ("genus", self.genus, why(Reason::NoOrientableComponent)),
@@ -365,10 +371,7 @@ mod tests {
         assert!(report.manifold && !report.closed && report.consistently_oriented && report.orientable);
         assert_eq!((report.boundary_loops, report.genus, report.cross_caps), (Some(0), None, None));
         assert_eq!(report.betti, Betti { z2: Some([0; 3]), q: Some([0; 3]) });
-        assert_eq!(
-            report.undefined.iter().map(|u| u.reason).collect::<Vec<_>>(),
-            [Reason::NoOrientableComponent, Reason::NoNonOrientableComponent]
-        );
+        assert_eq!(report.undefined.iter().map(|u| u.reason).collect::<Vec<_>>(), [Reason::NoFaces; 2]);
     }
 
     #[test]

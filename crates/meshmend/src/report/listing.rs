@@ -78,8 +78,11 @@ fn vertices(defect: &Defect, mesh: &PolygonMesh) -> Vec<VertexId> {
         | Defect::RepeatedCorner { face, .. }
         | Defect::DuplicateFace { face, .. }
         | Defect::OppositeFace { face, .. }
+        | Defect::DifferingFace { face, .. }
         | Defect::PolygonFace { face, .. }
-        | Defect::NonFiniteFace { face, .. } => {
+        | Defect::NonFiniteFace { face, .. }
+        | Defect::UnjudgedPatch { face, .. }
+        | Defect::TurnedCavity { face, .. } => {
             mesh.faces().face_vertices(*face).iter().copied().take(MOST_POSITIONS).collect()
         }
         Defect::BoundaryEdge { ends, .. }
@@ -105,7 +108,7 @@ fn vertices(defect: &Defect, mesh: &PolygonMesh) -> Vec<VertexId> {
 mod tests {
     use std::collections::BTreeSet;
 
-    use meshmend_core::{DefectKind, EdgeId, FaceId, FaceTable, PolygonMesh};
+    use meshmend_core::{DefectKind, Differences, EdgeId, FaceId, FaceTable, PolygonMesh, Unjudged};
 
     use super::*;
 
@@ -126,7 +129,13 @@ mod tests {
             (Defect::RepeatedCorner { face, vertex }, whole_face.clone()),
             (Defect::DuplicateFace { face, original: FaceId(0) }, whole_face.clone()),
             (Defect::OppositeFace { face, original: FaceId(0) }, whole_face.clone()),
+            (
+                Defect::DifferingFace { face, original: FaceId(0), differs: Differences::default() },
+                whole_face.clone(),
+            ),
             (Defect::PolygonFace { face, corners: 4 }, whole_face.clone()),
+            (Defect::UnjudgedPatch { face, faces: 1, reason: Unjudged::Open }, whole_face.clone()),
+            (Defect::TurnedCavity { face, faces: 1 }, whole_face.clone()),
             (Defect::NonFiniteFace { face, vertex }, whole_face),
             (Defect::BoundaryEdge { edge, ends }, vec![1, 2]),
             (Defect::NonManifoldEdge { edge, ends, degree: 3 }, vec![1, 2]),

@@ -2,7 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use meshmend_core::{Blend, Defect, DefectKind, FaceId, PolygonMesh, Provenance, Sources, VertexId};
+use meshmend_core::{
+    Aspect, Blend, Defect, DefectKind, Differences, Domain, FaceId, Id, Layer, PolygonMesh, Provenance,
+    Sources, Values, VertexId,
+};
 use meshmend_io::{Loss, Note};
 use meshmend_repair::{Figures, PassKind, PassRecord, RemovedFace, Repaired, SeamFigures};
 use serde::Serialize;
@@ -92,12 +95,14 @@ pub struct RemovedFaces {
     pub count: u64,
     /// How many for each reason.
     pub by_reason: BTreeMap<DefectKind, u64>,
+    /// How many differed from the face that they repeated.
+    pub differing: u64,
     /// The first of them, as many as the limit allows.
     pub items: Vec<NamedFace>,
 }
 
 /// A stored face that is gone, and why.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct NamedFace {
     /// Its id as stored.
     pub face: FaceId,
@@ -105,6 +110,12 @@ pub struct NamedFace {
     pub pass: PassKind,
     /// Why.
     pub reason: DefectKind,
+    /// In what it differed from the face that it repeated, if it did.
+    #[serde(skip_serializing_if = "is_nothing")]
+    pub differed: Differences,
+    /// The names that it had in that.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub had: BTreeMap<&'static str, String>,
 }
 
 /// Where each element of the result came from: whole lists, whatever the limit.
@@ -148,7 +159,7 @@ impl RepairDocument {
             before: None,
             after: None,
             passes: repaired.passes.iter().map(|record| PassDocument::new(record, limit)).collect(),
-            removed_faces: RemovedFaces::new(&repaired.removed_faces, limit),
+            removed_faces: RemovedFaces::new(stored, &repaired.removed_faces, limit),
             flipped_faces: Listing::cut(repaired.provenance.flipped.iter().copied(), limit),
             turned_normals: repaired.turned_normals as u64,
             created_vertices: Listing::cut(created.map(|&(vertex, _)| vertex), limit),
@@ -191,7 +202,7 @@ impl FigureChanges {
 }
 
 impl RemovedFaces {
-    fn new(removed: &[RemovedFace], limit: usize) -> Self {
+    fn new(stored: &PolygonMesh, removed: &[RemovedFace], limit: usize) -> Self {
         let mut by_reason = BTreeMap::new();
         for face in removed {
             *by_reason.entry(face.reason).or_insert(0) += 1;
@@ -200,13 +211,33 @@ impl RemovedFaces {
             face: removed.face,
             pass: removed.pass,
             reason: removed.reason,
+            differed: removed.differed,
+            had: names_of(stored, removed),
         };
         RemovedFaces {
             count: removed.len() as u64,
             by_reason,
+            differing: removed.iter().filter(|removed| !removed.differed.is_empty()).count() as u64,
             items: removed.iter().take(limit).map(named).collect(),
         }
     }
+}
+
+fn is_nothing(differences: &Differences) -> bool {
+    differences.is_empty()
+}
+
+/// The names that a face had in what it differed in.
+fn names_of(stored: &PolygonMesh, removed: &RemovedFace) -> BTreeMap<&'static str, String> {
+    let name = |layer: &Layer| {
+        let aspect =
+            Aspect::of_layer(layer).filter(|&aspect| removed.differed.iter().any(|a| a == aspect))?;
+        let Values::Text(names) = layer.values() else { return None };
+        let name =
+            names.get(layer.value_of(removed.face.index()).filter(|_| layer.domain() == Domain::Face)?)?;
+        Some((aspect.name(), String::from_utf8_lossy(name).into_owned()))
+    };
+    stored.layers().iter().filter_map(name).collect()
 }
 
 impl ProvenanceDocument {
@@ -248,6 +279,7 @@ mod tests {
         let gone = json!({
             "count": 2,
             "by_reason": {"degenerate-face": 2},
+            "differing": 0,
             "items": [{"face": 2, "pass": "clean", "reason": "degenerate-face"}],
         });
         assert_eq!(document["removed_faces"], gone);

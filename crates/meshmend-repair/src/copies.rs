@@ -1,0 +1,114 @@
+//! Faces that run round the same vertices in the same direction as another one, and are there because they differ.
+//!
+//! A decal lies on a body, and a second object on a first one, without being sewn to it: two sides of such faces are never
+//! matched with each other. Where they have neighbours, each is matched among those of its *rank*: the face that comes
+//! first among the differing ones and all faces that repeat none have rank 0, the next of them rank 1, and so on.
+
+use meshmend_core::{Column, Connectivity, CornerId, FaceId, PolygonMesh};
+use meshmend_topology::{AlikeFace, alike_faces};
+
+use crate::Context;
+use crate::telling::{Looks, Telling};
+
+/// No directed cycle that several differing faces have.
+const NONE: u32 = u32::MAX;
+
+/// Which faces repeat others and differ from them.
+pub(crate) struct Copies {
+    copies: Column<FaceId, Copied>,
+}
+
+#[derive(Clone, Copy)]
+struct Copied {
+    /// The number of the directed cycle.
+    cycle: u32,
+    rank: u32,
+}
+
+impl Copies {
+    /// The differing repeats among the faces of a mesh, if there are any.
+    ///
+    /// *Cost*: that of [`alike_faces`] where some layer tells faces apart, else nothing.
+    pub(crate) fn find<K: Connectivity>(
+        kernel: &K,
+        mesh: &PolygonMesh,
+        context: &Context<'_>,
+    ) -> Option<Self> {
+        if context.report.is_some_and(|report| report.duplicate_faces.same == 0) {
+            return None;
+        }
+        let telling = Telling::of(mesh, context.telling)?;
+        Self::among(kernel, mesh, &alike_faces(kernel), &telling)
+    }
+
+    /// The differing repeats among groups of faces that are alike but for their direction, if there are any.
+    pub(crate) fn among<K: Connectivity>(
+        kernel: &K,
+        mesh: &PolygonMesh,
+        alike: &[Vec<AlikeFace>],
+        telling: &Telling<'_>,
+    ) -> Option<Self> {
+        let mut found: Vec<(FaceId, Copied)> = Vec::new();
+        let mut cycle = 0;
+        for (group, is_reversed) in alike.iter().flat_map(|group| [(group, false), (group, true)]) {
+            let faces: Vec<FaceId> = group
+                .iter()
+                .filter(|alike| alike.is_reversed == is_reversed)
+                .map(|alike| alike.face)
+                .collect();
+            if faces.len() < 2 {
+                continue;
+            }
+            let looks: Vec<Looks> = faces.iter().map(|&face| looks(kernel, mesh, face)).collect();
+            let ranks = ranks(&telling.first_alike(&looks));
+            if ranks.iter().any(|&rank| rank > 0) {
+                found.extend(faces.iter().zip(ranks).map(|(&face, rank)| (face, Copied { cycle, rank })));
+                cycle += 1;
+            }
+        }
+        if found.is_empty() {
+            return None;
+        }
+        let mut copies = Column::filled(Copied { cycle: NONE, rank: 0 }, kernel.face_count());
+        found.into_iter().for_each(|(face, copied)| copies[face] = copied);
+        Some(Copies { copies })
+    }
+
+    /// Whether two faces run round the same vertices in the same direction, and differ.
+    pub(crate) fn are_apart(&self, one: FaceId, other: FaceId) -> bool {
+        let (one, other) = (self.copies[one], self.copies[other]);
+        one.cycle != NONE && one.cycle == other.cycle && one.rank != other.rank
+    }
+
+    /// How many differing faces come before a face.
+    pub(crate) fn rank(&self, face: FaceId) -> u32 {
+        self.copies[face].rank
+    }
+
+    /// The faces of rank 1 and more.
+    pub(crate) fn faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        self.copies.iter().filter(|(_, copied)| copied.rank > 0).map(|(face, _)| face)
+    }
+}
+
+/// A face of a complex as it is compared.
+pub(crate) fn looks<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, face: FaceId) -> Looks {
+    let complex = mesh.complex();
+    let named = |corner: CornerId| (kernel.corner_vertex(corner), complex.stored_corner(corner));
+    Looks::new(face, kernel.face_corners(face).map(named).collect())
+}
+
+/// For each place its class's number, by the place of the first of each class.
+fn ranks(first_alike: &[usize]) -> Vec<u32> {
+    let mut ranks: Vec<u32> = Vec::with_capacity(first_alike.len());
+    let mut next = 0;
+    for (place, &first) in first_alike.iter().enumerate() {
+        if first == place {
+            ranks.push(next);
+            next += 1;
+        } else {
+            ranks.push(ranks[first]);
+        }
+    }
+    ranks
+}
