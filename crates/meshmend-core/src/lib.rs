@@ -32,6 +32,7 @@ mod grouping;
 mod ids;
 mod mesh;
 mod pooling;
+mod printable;
 mod provenance;
 mod render_vertices;
 mod role;
@@ -53,6 +54,7 @@ pub use edge_use::EdgeUse;
 pub use face_table::{FaceTable, FaceTableBuilder, FaceTableError, MAX_CORNERS};
 pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
 pub use mesh::{MeshError, Metadata, PolygonMesh};
+pub use printable::printable;
 pub use provenance::{Counts, Provenance, Sources};
 pub use role::{FlippedNormals, Role, turned_normals};
 pub use stars::{

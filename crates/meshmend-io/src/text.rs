@@ -108,9 +108,8 @@ pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
 pub(crate) fn shown(bytes: &[u8]) -> String {
     const LONGEST: usize = 40;
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(LONGEST)]);
-    let printable = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c });
     let ellipsis = if bytes.len() > LONGEST { "…" } else { "" };
-    printable.collect::<String>() + ellipsis
+    meshmend_core::printable(&text) + ellipsis
 }
 
 /// The types of numbers with a fraction.
@@ -291,6 +290,7 @@ mod tests {
     #[test]
     fn long_and_unprintable_words_are_shown_short_and_printable() {
         assert_eq!(shown(b"a\x07b"), "a\u{fffd}b");
+        assert_eq!(shown("a\u{202e}b".as_bytes()), "a\\u{202e}b");
         assert_eq!(shown(&[b'x'; 40]), "x".repeat(40));
         assert_eq!(shown(&[b'x'; 41]), "x".repeat(40) + "…");
     }

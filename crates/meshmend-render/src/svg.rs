@@ -68,13 +68,12 @@ impl Svg {
 
     /// A text without what XML does not allow or takes for markup.
     fn escaped(&mut self, text: &str) {
-        for character in text.chars() {
+        for character in meshmend_core::printable(text).chars() {
             match character {
                 '<' => self.0.push_str("&lt;"),
                 '>' => self.0.push_str("&gt;"),
                 '&' => self.0.push_str("&amp;"),
                 '\u{fffe}' | '\u{ffff}' => self.0.push(char::REPLACEMENT_CHARACTER),
-                other if other.is_control() => self.0.push(char::REPLACEMENT_CHARACTER),
                 other => self.0.push(other),
             }
         }

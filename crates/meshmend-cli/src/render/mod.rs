@@ -31,17 +31,13 @@ pub(crate) use style::Style;
 #[cfg(feature = "flatten")]
 pub(crate) use unfolded::unfolded;
 
+pub(crate) use meshmend::core::printable;
 use meshmend::report::Listing;
 use meshmend::{Defect, DefectKind};
 use std::collections::BTreeMap;
 
 /// Stands where a figure is not defined.
 const ABSENT: &str = "–";
-
-/// A text from a file or a file name, without characters that would take hold of a terminal.
-pub(crate) fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
-}
 
 /// `non-manifold edges: 3, pinched vertices: 1`.
 fn kinds_with_counts(counts: impl Iterator<Item = (DefectKind, u64)>) -> String {
