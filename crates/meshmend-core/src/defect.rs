@@ -222,6 +222,38 @@ impl fmt::Display for DefectKind {
     }
 }
 
+impl Defect {
+    /// The defect with other names for its vertices: those of another numbering of the same mesh.
+    pub fn with_vertices(mut self, name: impl Fn(VertexId) -> VertexId) -> Self {
+        use Defect as D;
+        match &mut self {
+            D::NonSimpleFace { vertex, .. }
+            | D::RepeatedCorner { vertex, .. }
+            | D::NonFiniteFace { vertex, .. }
+            | D::PinchedVertex { vertex, .. }
+            | D::SingularVertex { vertex }
+            | D::NonFiniteVertex { vertex }
+            | D::UnreferencedVertex { vertex }
+            | D::LoosePoint { vertex, .. } => *vertex = name(*vertex),
+            D::BoundaryEdge { ends, .. }
+            | D::NonManifoldEdge { ends, .. }
+            | D::InconsistentEdge { ends, .. }
+            | D::SeamEdge { ends, .. }
+            | D::CoincidentEdges { ends }
+            | D::LooseEdge { ends, .. } => *ends = ends.map(name),
+            D::CoincidentVertex { vertex, original } => {
+                (*vertex, *original) = (name(*vertex), name(*original));
+            }
+            D::DegenerateFace { .. }
+            | D::DuplicateFace { .. }
+            | D::OppositeFace { .. }
+            | D::PolygonFace { .. }
+            | D::NonOrientablePatch { .. } => {}
+        }
+        self
+    }
+}
+
 impl fmt::Display for Defect {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

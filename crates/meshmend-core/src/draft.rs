@@ -20,8 +20,10 @@ pub enum Blend {
     /// On the side between two neighbouring corners of a face: from + (to − from) · numerator / denominator.
     Along {
         /// The corner at which it would lie for numerator 0.
+        #[serde(rename = "from_corner")]
         from: CornerId,
         /// The corner at which it would lie for numerator = denominator.
+        #[serde(rename = "to_corner")]
         to: CornerId,
         /// How many parts of the way.
         numerator: u32,

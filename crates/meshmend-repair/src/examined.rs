@@ -1,6 +1,6 @@
 //! A mesh that was looked at before it is repaired, so that nothing is found out twice.
 
-use meshmend_core::{Connectivity, PolygonMesh};
+use meshmend_core::{Connectivity, PolygonMesh, Sources, VertexId};
 use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_topology::{TopologyReport, Witness, topology_with};
 
@@ -68,6 +68,12 @@ impl Examined {
     /// The mesh that was looked at.
     pub fn mesh(&self) -> &PolygonMesh {
         &self.mesh
+    }
+
+    /// The vertex as stored that each of its vertices is: of those that a weld joined, the lowest.
+    pub fn vertex_sources(&self) -> Sources<VertexId> {
+        let same = || Sources::same(self.mesh.counts().vertices);
+        self.weld.as_ref().map_or_else(same, |(_, outcome)| outcome.provenance.vertices.clone())
     }
 
     /// Its topology.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Severity, VertexId};
+use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Severity, Sources, VertexId};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{Examined, PassError, Weld, coincident_vertices};
 use meshmend_topology::{TopologyReport, Witness};
@@ -30,6 +30,8 @@ pub struct CheckReport {
     pub stored: StoredCounts,
     /// The mesh in that view: all ids below are its.
     pub mesh: PolygonMesh,
+    /// The vertex as stored that each of its vertices is: of those that a weld joined, the lowest.
+    pub vertex_sources: Sources<VertexId>,
     /// Its figures, and the list of what is wrong with it as it is.
     pub topology: TopologyReport,
     /// Which kernels hold it.
@@ -98,19 +100,26 @@ impl CheckReport {
     ///
     /// *Cost*: an exact weld.
     pub fn of_topology(mesh: PolygonMesh, topology: TopologyReport) -> Self {
-        Self::new(View::Indexed, StoredCounts::of(&mesh), mesh, topology)
+        let vertices = Sources::same(mesh.counts().vertices);
+        Self::new(View::Indexed, StoredCounts::of(&mesh), (mesh, vertices), topology)
     }
 
     fn of_examined(stored: &PolygonMesh, options: &CheckOptions, examined: &Examined) -> Self {
-        let (mesh, topology) = (examined.mesh().clone(), examined.report().clone());
-        Self::new(options.view, StoredCounts::of(stored), mesh, topology)
+        let mesh = (examined.mesh().clone(), examined.vertex_sources());
+        Self::new(options.view, StoredCounts::of(stored), mesh, examined.report().clone())
     }
 
-    fn new(view: View, stored: StoredCounts, mesh: PolygonMesh, topology: TopologyReport) -> Self {
+    fn new(
+        view: View,
+        stored: StoredCounts,
+        (mesh, vertex_sources): (PolygonMesh, Sources<VertexId>),
+        topology: TopologyReport,
+    ) -> Self {
         let lowest = if view == View::Indexed { coincident_vertices(&mesh) } else { Vec::new() };
         let joined = (0..).map(VertexId).zip(lowest).filter(|(vertex, lowest)| vertex != lowest);
         let coincident = joined.collect();
-        let mut report = CheckReport { view, stored, mesh, topology, kernels: Vec::new(), coincident };
+        let kernels = Vec::new();
+        let mut report = CheckReport { view, stored, mesh, vertex_sources, topology, kernels, coincident };
         report.kernels = KernelKind::ALL.iter().map(|&kernel| report.verdict(kernel)).collect();
         report
     }
@@ -155,6 +164,11 @@ impl CheckReport {
         let unasked =
             |kind: &DefectKind| !matches!(kind, DefectKind::PolygonFace | DefectKind::NonFiniteFace);
         DefectKind::ALL.iter().copied().filter(unasked).filter(|&kind| self.count(kind) > 0)
+    }
+
+    /// The vertex as stored that a vertex of the mesh is.
+    pub fn stored_vertex(&self, vertex: VertexId) -> VertexId {
+        self.vertex_sources.of(vertex).unwrap_or(vertex)
     }
 
     fn polygons(&self) -> impl Iterator<Item = Defect> + '_ {
@@ -260,6 +274,8 @@ mod tests {
         let welded = check(&mesh, &CheckOptions { view, ..CheckOptions::default() }).unwrap();
         assert_eq!((welded.topology.components, welded.count(DefectKind::CoincidentVertex)), (1, 0));
         assert_eq!((welded.stored.vertices, welded.topology.vertices), (6, 4));
+        let stored: Vec<u32> = (0..4).map(|v| welded.stored_vertex(VertexId(v)).0).collect();
+        assert_eq!(stored, [0, 1, 2, 5]);
         let view = View::Welded(Distance::Absolute(f64::NAN));
         assert!(matches!(
             check(&mesh, &CheckOptions { view, ..CheckOptions::default() }),

@@ -9,7 +9,8 @@ use serde::Serialize;
 use super::{PlacedDefect, SCHEMA};
 use crate::{CheckReport, KernelVerdict, StoredCounts};
 
-/// What a check found, with every list cut to a limit.
+/// What a check found, with every list cut to a limit. Vertices and faces have the numbers that they have as stored, also in a
+/// welded view: of vertices that are one there, the lowest. Edges are numbered within the view.
 #[derive(Clone, Debug, Serialize)]
 pub struct CheckDocument {
     /// The number of this form.
@@ -60,6 +61,9 @@ impl CheckDocument {
         topology.defects = Default::default();
         let component_kinds_total = topology.component_kinds.len() as u64;
         topology.component_kinds.truncate(limit);
+        for kind in &mut topology.component_kinds {
+            kind.first_vertex = report.vertex_sources.of(kind.first_vertex).unwrap_or(kind.first_vertex);
+        }
         CheckDocument {
             schema: SCHEMA,
             file: None,
@@ -94,7 +98,9 @@ impl DefectGroup {
             kind,
             severity: kind.severity(),
             count: report.count(kind) as u64,
-            items: items.map(|defect| PlacedDefect::new(defect, &report.mesh)).collect(),
+            items: items
+                .map(|defect| PlacedDefect::new(defect, &report.mesh).named_as_stored(report))
+                .collect(),
         }
     }
 }

@@ -3,6 +3,8 @@
 use meshmend_core::{Defect, PolygonMesh, VertexId};
 use serde::Serialize;
 
+use crate::CheckReport;
+
 /// How many of a defect's vertices are given with their positions at most. Few faces have more corners.
 pub const MOST_POSITIONS: usize = 16;
 
@@ -66,6 +68,16 @@ impl PlacedDefect {
             },
             defect,
         }
+    }
+}
+
+impl PlacedDefect {
+    /// The defect with the numbers that its vertices have as stored.
+    pub(crate) fn named_as_stored(mut self, report: &CheckReport) -> Self {
+        let name = |vertex: VertexId| report.stored_vertex(vertex);
+        self.vertices.iter_mut().for_each(|vertex| *vertex = name(*vertex));
+        self.edge_ends.iter_mut().for_each(|ends| *ends = ends.map(name));
+        PlacedDefect { defect: self.defect.with_vertices(name), ..self }
     }
 }
 
