@@ -16,6 +16,7 @@ mod copies;
 mod cut;
 mod edge_lengths;
 mod emptied;
+mod emptied_names;
 mod examined;
 mod figures;
 mod free_points;
@@ -42,6 +43,7 @@ pub use cut::{
 };
 pub use edge_lengths::edge_lengths;
 pub use emptied::{Emptied, Emptying, EmptyingCause};
+pub use emptied_names::{EmptiedName, emptied_names};
 pub use examined::Examined;
 pub use figures::Figures;
 pub use free_points::{Clearance, Precision, Unused};

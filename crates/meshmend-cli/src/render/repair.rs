@@ -15,6 +15,11 @@ pub(crate) fn repair(document: &RepairDocument, style: Style) -> String {
     page.push_str(&paragraph(&style.heading("figures"), side_by_side(document)));
     page.push_str(&paragraph(&style.heading("passes"), document.passes.iter().flat_map(pass)));
     page.push_str(&paragraph(&style.heading("removed faces"), removed(document)));
+    let emptied = &document.emptied_names;
+    let mut names: Vec<String> = emptied.items.iter().map(|name| printable(&name.message)).collect();
+    let hidden = emptied.count - names.len() as u64;
+    names.extend((hidden > 0).then(|| format!("… and {hidden} more")));
+    page.push_str(&paragraph(&style.heading("names of which nothing is left"), names));
     let after = document.after.as_ref();
     let wrong = after.map(|after| defects(after, Severity::Defect)).unwrap_or_default();
     page.push_str(&paragraph(&style.heading("still wrong"), wrong));
@@ -51,6 +56,7 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
     ];
     let changes = [
         (document.removed_faces.count, "faces removed"),
+        (document.emptied_names.count, "names of which nothing is left"),
         (document.flipped_faces.count, "faces flipped"),
         (document.turned_normals, "normals turned with their faces"),
         (document.created_vertices.count, "vertices created"),

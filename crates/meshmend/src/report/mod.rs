@@ -32,8 +32,8 @@ pub use loops_document::{
     ComponentLoops, CutComponent, CutDocument, LoopDocument, LoopsDocument, MOST_PATH_VERTICES, SeamDocument,
 };
 pub use repair_document::{
-    BeforeAndAfter, CreatedVertex, FigureChanges, NamedFace, PassDocument, ProvenanceDocument, RemovedFaces,
-    RepairDocument,
+    BeforeAndAfter, CreatedVertex, EmptiedNameDocument, FigureChanges, NamedFace, PassDocument,
+    ProvenanceDocument, RemovedFaces, RepairDocument,
 };
 use serde::Serialize;
 #[cfg(feature = "flatten")]

@@ -7,7 +7,9 @@ use meshmend_core::{
     Sources, Values, VertexId,
 };
 use meshmend_io::{Loss, Note};
-use meshmend_repair::{Figures, PassKind, PassRecord, RemovedFace, Repaired, SeamFigures};
+use meshmend_repair::{
+    EmptiedName, Figures, PassKind, PassRecord, RemovedFace, Repaired, SeamFigures, emptied_names,
+};
 use serde::Serialize;
 
 use super::{CheckDocument, Listing, SCHEMA};
@@ -38,6 +40,8 @@ pub struct RepairDocument {
     pub passes: Vec<PassDocument>,
     /// The stored faces of which nothing is left.
     pub removed_faces: RemovedFaces,
+    /// The groups, objects and materials of which nothing is left.
+    pub emptied_names: Listing<EmptiedNameDocument>,
     /// The faces of the result that run the other way round than as stored.
     pub flipped_faces: Listing<FaceId>,
     /// How many stored normals turned with their faces.
@@ -118,6 +122,27 @@ pub struct NamedFace {
     pub had: BTreeMap<&'static str, String>,
 }
 
+/// A group, an object or a material that lost all its elements, and why.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct EmptiedNameDocument {
+    /// Always `emptied-name`.
+    pub kind: &'static str,
+    /// What it names: `object`, `group`, `material`, `solid` or `part`.
+    pub layer: String,
+    /// The name; what is not UTF-8 in it is replaced.
+    pub name: String,
+    /// How many faces had it.
+    pub faces: u64,
+    /// How many of these went for each reason.
+    pub by_reason: BTreeMap<DefectKind, u64>,
+    /// How many loose edges had it.
+    pub loose_edges: u64,
+    /// How many loose points had it.
+    pub loose_points: u64,
+    /// All of this for people.
+    pub message: String,
+}
+
 /// Where each element of the result came from: whole lists, whatever the limit.
 #[derive(Clone, Debug, Serialize)]
 pub struct ProvenanceDocument {
@@ -160,12 +185,26 @@ impl RepairDocument {
             after: None,
             passes: repaired.passes.iter().map(|record| PassDocument::new(record, limit)).collect(),
             removed_faces: RemovedFaces::new(stored, &repaired.removed_faces, limit),
+            emptied_names: Listing::cut(
+                emptied_names(stored, repaired).into_iter().map(EmptiedNameDocument::from),
+                limit,
+            ),
             flipped_faces: Listing::cut(repaired.provenance.flipped.iter().copied(), limit),
             turned_normals: repaired.turned_normals as u64,
             created_vertices: Listing::cut(created.map(|&(vertex, _)| vertex), limit),
             losses: Vec::new(),
             provenance: None,
         }
+    }
+}
+
+impl From<EmptiedName> for EmptiedNameDocument {
+    fn from(emptied: EmptiedName) -> Self {
+        let message = emptied.to_string();
+        let EmptiedName { layer, name, faces, by_reason, loose_edges, loose_points } = emptied;
+        let name = String::from_utf8_lossy(&name).into_owned();
+        let kind = "emptied-name";
+        EmptiedNameDocument { kind, layer, name, faces, by_reason, loose_edges, loose_points, message }
     }
 }
 
@@ -286,5 +325,29 @@ mod tests {
         assert_eq!(document["flipped_faces"], json!({"count": 1, "items": [1]}));
         assert_eq!(document["provenance"]["vertex_sources"], json!([0, 1, 2, 5]));
         assert_eq!(document["provenance"]["face_sources"], json!([0, 1]));
+    }
+
+    #[test]
+    fn a_name_of_which_nothing_is_left_is_told() {
+        use meshmend_core::{Carry, Domain, Layer, Values};
+
+        let faces = FaceTable::triangles(3, [0, 1, 2, 0, 1, 1, 0, 2, 2].map(VertexId).to_vec()).unwrap();
+        let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let names = Values::Text([&b"kept"[..], b"go\xffne", b"gone too"].map(<[u8]>::to_vec).to_vec());
+        let layer = Layer::direct("material", Domain::Face, 1, Carry::Copy, names);
+        let mesh = PolygonMesh::new(points, faces).unwrap().with_layers(vec![layer]).unwrap();
+        let repaired = Pipeline::default().run(&mesh).unwrap();
+        let document: Value = serde_json::to_value(RepairDocument::new(&mesh, &repaired, 1)).unwrap();
+        let name = json!({
+            "kind": "emptied-name",
+            "layer": "material",
+            "name": "go\u{fffd}ne",
+            "faces": 1,
+            "by_reason": {"degenerate-face": 1},
+            "loose_edges": 0,
+            "loose_points": 0,
+            "message": "material `go\u{fffd}ne` has no face left: its 1 face was degenerate",
+        });
+        assert_eq!(document["emptied_names"], json!({"count": 2, "items": [name]}));
     }
 }
