@@ -146,7 +146,7 @@ impl OutputWords {
             true => AttributePrecision::Double,
             false => AttributePrecision::AsExpected,
         };
-        Ok(WriteOptions { encoding, seams, precision, ..WriteOptions::of(format) })
+        Ok(WriteOptions { encoding, seams, precision, ..WriteOptions::of(format) }.for_path(path))
     }
 }
 

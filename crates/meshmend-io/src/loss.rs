@@ -41,6 +41,8 @@ pub enum LossKind {
     LoosePoints,
     /// Statements about the file as a whole are left out.
     Metadata,
+    /// Files that the input names, such as material libraries, are not where the output would look for them.
+    Companion,
     /// Names are spelled otherwise, as the format has no way to write them.
     Names,
     /// Vertices are written as several, as their attributes differ from face to face: the file is manifold by place, not by

@@ -41,6 +41,10 @@ pub enum NoteKind {
     LooseAttribute,
     /// A group, object or material that no face has was skipped.
     UnusedName,
+    /// A file that this one names is not there.
+    CompanionMissing,
+    /// A file that this one names is outside its folder, or is no plain file, and was not opened.
+    CompanionOutside,
     /// Comments beyond the limit were skipped.
     SkippedComment,
     /// An end that the format asks for is missing, with nothing cut off.

@@ -6,6 +6,7 @@ use std::path::Path;
 use meshmend_core::PolygonMesh;
 
 use crate::atomic::replace_file;
+use crate::obj::companions;
 use crate::shell::Shape;
 use crate::{Encoding, Format, Loss, WriteError, WriteErrorKind, WriteOptions};
 
@@ -72,6 +73,7 @@ impl Prepared {
         if let (Some(Shape::Ply(shape)), true) = (self.shape(), self.format != Format::Ply) {
             losses.extend(shape.table_losses());
         }
+        losses.extend(companions::loss(self));
         losses
     }
 

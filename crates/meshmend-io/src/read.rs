@@ -8,6 +8,7 @@ use meshmend_core::PolygonMesh;
 
 use crate::ahead::Pace;
 use crate::note::Notes;
+use crate::obj::companions;
 use crate::{Format, Limits, Note, Place, ReadError, ReadErrorKind, Shell};
 
 /// How to read.
@@ -36,7 +37,8 @@ pub struct ReadFile {
 
 /// Reads a mesh file. Its name tells the format; a name without a known extension lets the content tell.
 ///
-/// No other file is opened, whatever this one names.
+/// No other file is opened but the material libraries that an OBJ names within its own folder, to see whether they and
+/// their images are there.
 ///
 /// # Errors
 /// When the system can't read it, its format is not known, its content is malformed or beyond the limits.
@@ -62,7 +64,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
         }
     }
     let bytes = take_in(bytes, file, announced, limits.max_file_bytes).map_err(failed)?;
-    read_as(&bytes, &name, format, limits)
+    read_as(&bytes, &name, format, limits).map(|file| companions::looked_for(file, path))
 }
 
 /// Reads a mesh from bytes, without a file system. The name tells the format as in [`read`], and stands in errors.

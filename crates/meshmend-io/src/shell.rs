@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use crate::obj::ObjShape;
+use crate::obj::companions::Companions;
 use crate::off::OffShape;
 use crate::ply::PlyShape;
 use crate::stl::StlShape;
@@ -17,6 +18,7 @@ use crate::{Encoding, Format};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shell {
     file: Option<Arc<FileForm>>,
+    companions: Option<Arc<Companions>>,
 }
 
 #[derive(Debug, PartialEq)]
@@ -43,7 +45,17 @@ impl Shell {
             Shape::Stl(_) => Format::Stl,
             Shape::Off(_) => Format::Off,
         };
-        Shell { file: Some(Arc::new(FileForm { format, encoding, shape })) }
+        Shell { file: Some(Arc::new(FileForm { format, encoding, shape })), companions: None }
+    }
+
+    /// The shell of a file that names others.
+    pub(crate) fn with_companions(self, companions: Companions) -> Self {
+        Shell { companions: Some(Arc::new(companions)), ..self }
+    }
+
+    /// The files that the file names, if it names any that are there.
+    pub(crate) fn companions(&self) -> Option<&Companions> {
+        self.companions.as_deref()
     }
 
     /// The format of the file, if there was one.

@@ -1,10 +1,11 @@
 //! Writing: find the format, prepare the mesh, put the bytes in the file's place all at once.
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use meshmend_core::PolygonMesh;
 
+use crate::obj::companions;
 use crate::{Encoding, Format, Loss, Prepared, ReadFile, Shell, WriteError, WriteErrorKind};
 
 /// How to write.
@@ -21,6 +22,8 @@ pub struct WriteOptions {
     pub seams: Seams,
     /// In which precision attributes from another format are written.
     pub precision: AttributePrecision,
+    /// The folder that the file will be in, where that is known: files that the input names may not be there.
+    pub folder: Option<PathBuf>,
 }
 
 /// How a vertex is written whose attributes differ from corner to corner, where programs that read the format look for
@@ -64,9 +67,10 @@ impl WriteOptions {
         WriteOptions { shell: file.shell.clone(), ..self }
     }
 
-    /// These options with the format of a file name, where they name none.
+    /// These options with the format of a file name, where they name none, and its folder.
     pub fn for_path(self, path: &Path) -> Self {
-        WriteOptions { format: self.format.or_else(|| Format::from_path(path)), ..self }
+        let format = self.format.or_else(|| Format::from_path(path));
+        WriteOptions { format, folder: Some(companions::folder_of(path).to_owned()), ..self }
     }
 
     /// The format and the encoding that come of these options.

@@ -15,13 +15,14 @@ impl Reader<'_> {
         if !self.is_obj {
             return Err(self.source.malformed(Place::Line(1), "no statement of an OBJ file"));
         }
+        let shape = ObjShape { has_alpha: self.colors.has_alpha() };
         self.vertex_layers();
         let texcoords = self.corner_layers();
         self.name_layers();
         self.loose_layers(texcoords.as_ref());
         let source = self.source;
         let (mesh, notes) = self.parts.assemble(source, 1, |at| source.line(at))?;
-        let shell = Shell::of_file(Encoding::Ascii, Shape::Obj(ObjShape));
+        let shell = Shell::of_file(Encoding::Ascii, Shape::Obj(shape));
         Ok(Parsed { mesh, variant: "obj", notes, shell })
     }
 

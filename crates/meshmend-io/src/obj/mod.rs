@@ -15,8 +15,10 @@
 //! a line continues it (not a comment). Lines end with LF, CR LF or CR.
 
 mod comments;
+pub(crate) mod companions;
 mod cursor;
 mod finish;
+mod library;
 mod loose;
 mod names;
 mod pools;
@@ -26,8 +28,9 @@ mod write;
 mod write_loose;
 mod write_names;
 
-use crate::Encoding;
 use crate::format::Driver;
+use crate::shell::Shape;
+use crate::{Encoding, Prepared};
 
 pub(crate) static DRIVER: Driver = Driver {
     name: "OBJ",
@@ -44,4 +47,18 @@ pub(crate) static DRIVER: Driver = Driver {
 
 /// What an OBJ file's writer chose.
 #[derive(Debug, Default, PartialEq)]
-pub(crate) struct ObjShape;
+pub(crate) struct ObjShape {
+    /// Whether colours have a fourth number. Most other programs misread a vertex of seven numbers, so they get it only where
+    /// it was there.
+    has_alpha: bool,
+}
+
+impl ObjShape {
+    /// How many numbers of a colour are written: four where the mesh comes from an OBJ with four.
+    fn color_width(prepared: &Prepared) -> usize {
+        match prepared.shape() {
+            Some(Shape::Obj(shape)) if shape.has_alpha => 4,
+            _ => 3,
+        }
+    }
+}

@@ -80,6 +80,11 @@ impl Colors {
         }
     }
 
+    /// Whether any colour has a fourth number.
+    pub(super) fn has_alpha(&self) -> bool {
+        self.width == 4
+    }
+
     /// Forgets all colours, and keeps the memory for others.
     pub(super) fn clear(&mut self) {
         self.width = 0;

@@ -8,6 +8,7 @@ use crate::layers::{
     absent, domain_name, has_fractions, is_numeric, layer_losses, layer_of, losses_in, metadata_losses,
     number, one_line, spelling_loss,
 };
+use crate::obj::ObjShape;
 use crate::obj::comments::{Between, COMMENT, ELEMENTS, FACE, NORMAL, TEXCOORD, VERTEX, is_between};
 use crate::obj::write_loose::LoosePlan;
 use crate::obj::write_names::Names;
@@ -33,7 +34,7 @@ fn is_color(layer: &Layer) -> bool {
 
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
     let mesh = &prepared.mesh;
-    let plan = Plan::of(mesh);
+    let plan = Plan::of(mesh, ObjShape::color_width(prepared));
     let mut sink = Sink::new(out);
     let mut between = Between::of(mesh);
     for statement in mesh.metadata().iter().filter(|statement| !is_between(statement)) {
@@ -64,7 +65,7 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
 
 pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let mesh = &prepared.mesh;
-    let plan = Plan::of(mesh);
+    let plan = Plan::of(mesh, ObjShape::color_width(prepared));
     let names = Names::of(mesh);
     let written: Vec<&Layer> = plan.layers().into_iter().chain(names.layers()).collect();
     let mut losses = layer_losses(mesh, &written);
@@ -74,6 +75,7 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
         let message = format!("colours of {count} vertices become fractions of 255");
         Loss::new(LossKind::Converted, count, message)
     }));
+    losses.extend(plan.color.and_then(|color| plan.alpha_loss(color)));
     losses.extend(plan.weight.and_then(|layer| {
         Loss::if_any(LossKind::AbsentValue, absent(layer), |n| {
             format!("that {n} vertices have no vertex attribute `weight`: they get 1")
@@ -96,6 +98,8 @@ fn moved_to_corners(layer: &Layer) -> Option<Loss> {
 /// Which layers are written, and as what.
 struct Plan<'a> {
     color: Option<&'a Layer>,
+    /// How many numbers of a colour are written.
+    color_width: usize,
     weight: Option<&'a Layer>,
     texcoord: Option<&'a Layer>,
     normal: Option<&'a Layer>,
@@ -103,7 +107,7 @@ struct Plan<'a> {
 }
 
 impl<'a> Plan<'a> {
-    fn of(mesh: &'a PolygonMesh) -> Self {
+    fn of(mesh: &'a PolygonMesh, color_width: usize) -> Self {
         let indexed = |name, widths: std::ops::RangeInclusive<usize>| {
             let is_fit = |layer: &Layer| is_numeric(layer) && widths.contains(&layer.width());
             layer_of(mesh, name, Domain::Corner, is_fit)
@@ -114,11 +118,26 @@ impl<'a> Plan<'a> {
         let texcoord = indexed("texcoord", 1..=3);
         Plan {
             color,
+            color_width,
             weight: layer_of(mesh, "weight", Domain::Vertex, is_weight),
             texcoord,
             normal: indexed("normal", 3..=3),
             loose: LoosePlan::of(mesh, texcoord),
         }
+    }
+
+    /// The loss of how far colours are opaque, where that is not written.
+    fn alpha_loss(&self, color: &Layer) -> Option<Loss> {
+        if color.width() <= self.color_width {
+            return None;
+        }
+        let opaque = if has_fractions(color) { 1.0 } else { 255.0 };
+        let is_clear = |&value: &usize| number(color.values(), value * color.width() + 3) != opaque;
+        let clear = (0..color.element_count()).filter_map(|at| color.value_of(at)).filter(is_clear).count();
+        Loss::if_any(LossKind::Layer, clear, |n| {
+            let vertices = if n == 1 { "1 vertex".to_owned() } else { format!("{n} vertices") };
+            format!("the alpha of the colours of {vertices}: other programs misread it")
+        })
     }
 
     fn layers(&self) -> Vec<&'a Layer> {
@@ -138,7 +157,8 @@ impl<'a> Plan<'a> {
             {
                 let scale = if has_fractions(layer) { 1.0 } else { 255.0 };
                 let width = layer.width();
-                (0..width).for_each(|i| spaced(sink, number(layer.values(), value * width + i) / scale));
+                let shown = 0..width.min(self.color_width);
+                shown.for_each(|i| spaced(sink, number(layer.values(), value * width + i) / scale));
             }
             sink.byte(b'\n');
             sink.checkpoint()?;

@@ -7,6 +7,7 @@ mod common;
 mod corpus;
 mod formats;
 mod obj;
+mod obj_companions;
 mod obj_kept;
 mod off;
 mod ply;
