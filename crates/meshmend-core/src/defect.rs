@@ -228,6 +228,8 @@ impl Defect {
         use Defect as D;
         match &mut self {
             D::NonSimpleFace { vertex, .. }
+            | D::FaceWithHole { vertex, .. }
+            | D::CrossingFace { vertex, .. }
             | D::RepeatedCorner { vertex, .. }
             | D::NonFiniteFace { vertex, .. }
             | D::PinchedVertex { vertex, .. }
@@ -247,8 +249,11 @@ impl Defect {
             D::DegenerateFace { .. }
             | D::DuplicateFace { .. }
             | D::OppositeFace { .. }
+            | D::DifferingFace { .. }
             | D::PolygonFace { .. }
-            | D::NonOrientablePatch { .. } => {}
+            | D::NonOrientablePatch { .. }
+            | D::UnjudgedPatch { .. }
+            | D::TurnedCavity { .. } => {}
         }
         self
     }

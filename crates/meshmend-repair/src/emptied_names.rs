@@ -149,6 +149,8 @@ fn went(reason: DefectKind, count: u64) -> &'static str {
         (DefectKind::DegenerateFace, _) => "were degenerate",
         (DefectKind::DuplicateFace, 1) => "repeated another",
         (DefectKind::DuplicateFace, _) => "repeated others",
+        (DefectKind::DifferingFace, 1) => "repeated another that differs from it",
+        (DefectKind::DifferingFace, _) => "repeated others that differ from them",
         (DefectKind::OppositeFace, 1) => "repeated another the other way round",
         (DefectKind::OppositeFace, _) => "repeated others the other way round",
         (DefectKind::NonFiniteFace, 1) => "had a corner that is not finite",
