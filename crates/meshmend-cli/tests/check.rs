@@ -171,7 +171,7 @@ fn the_heading_says_what_is_there_and_as_what_it_is_judged() {
     let folder = Folder::new();
     let file = folder.with("loose.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\np 3\n");
     let heading = |options: &[&str]| meshmend(&[&["check", &file], options].concat()).succeeds().stdout;
-    assert!(heading(&[]).contains("3 vertices, 1 faces, 1 loose edges, 1 loose points\njudged as stored"));
+    assert!(heading(&[]).contains("3 vertices, 1 face, 1 loose edge, 1 loose point\njudged as stored"));
     assert!(
         heading(&["--weld", "exact"]).contains("\njudged as welded: vertices at the same position are one\n")
     );

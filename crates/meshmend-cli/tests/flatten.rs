@@ -55,7 +55,7 @@ fn what_collapses_is_said_and_drawn() {
     let (file, out) = (made(&folder, &["fan", "--count", "40"]), folder.at("out.svg"));
     let run = meshmend(&["flatten", &file, "-o", &out, "--boundary", "square", "--limit", "2"]).succeeds();
     assert!(
-        run.stdout.contains("0 faces are flipped") && run.stdout.contains("more (--limit)"),
+        run.stdout.contains("flipped: 0 faces, collapsed: ") && run.stdout.contains("more (--limit)"),
         "{}",
         run.stdout
     );

@@ -74,7 +74,7 @@ fn a_seam_is_reported_with_its_length_and_what_it_added() {
     let band = folder.with("band.obj", BAND);
     let arguments = ["repair", &band, "--dry-run", "--non-orientable", "cut"];
     let text = meshmend(&arguments).succeeds().stdout;
-    assert!(text.contains("cut open: 1 edges and 2 vertices added"), "{text}");
+    assert!(text.contains("cut open: 1 edge and 2 vertices added"), "{text}");
     let report = meshmend(&[&arguments[..], &["--json"]].concat()).succeeds().json();
     let split = &report["passes"][3];
     assert_eq!((&split["pass"], &report["passes"][2]["seam"]), (&json!("split"), &json!(null)));

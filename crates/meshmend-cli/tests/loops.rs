@@ -42,7 +42,7 @@ fn loops_are_told_with_their_kind_length_and_vertices() {
         "{text}"
     );
     let short = meshmend(&["loops", "--limit", "1", &file]).succeeds().stdout;
-    assert!(short.contains("and 1 components more"), "{short}");
+    assert!(short.contains("and 1 component more"), "{short}");
 }
 
 #[test]

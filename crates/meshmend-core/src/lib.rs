@@ -39,6 +39,7 @@ mod role;
 mod stars;
 mod values;
 mod vertex_corners;
+mod words;
 
 pub use attributes::{Carry, Domain, Layer, NO_VALUE};
 pub use capabilities::{Capabilities, Refusal, admission};
@@ -62,3 +63,4 @@ pub use stars::{
     umbrellas, vertex_classes,
 };
 pub use values::Values;
+pub use words::counted;

@@ -1,5 +1,6 @@
 //! What a check found.
 
+use meshmend::core::counted;
 use meshmend::report::{CheckDocument, DefectGroup, PlacedDefect};
 use meshmend::topology::{ComponentKind, Reason, TopologyReport};
 use meshmend::{DefectKind, Distance, Severity};
@@ -26,12 +27,12 @@ pub(crate) fn check(document: &CheckDocument, style: Style) -> String {
 
 fn heading(document: &CheckDocument, style: Style) -> String {
     let stored = &document.stored;
-    let mut counts = format!("{} vertices, {} faces", stored.vertices, stored.faces);
+    let mut counts = format!("{}, {}", counted(stored.vertices, "vertex"), counted(stored.faces, "face"));
     if stored.loose_edges > 0 {
-        counts.push_str(&format!(", {} loose edges", stored.loose_edges));
+        counts.push_str(&format!(", {}", counted(stored.loose_edges, "loose edge")));
     }
     if stored.loose_points > 0 {
-        counts.push_str(&format!(", {} loose points", stored.loose_points));
+        counts.push_str(&format!(", {}", counted(stored.loose_points, "loose point")));
     }
     let name = printable(document.file.as_deref().unwrap_or("mesh"));
     let wrong = document.defects.iter().filter(|group| group.severity == Severity::Defect);
@@ -48,7 +49,8 @@ fn view(document: &CheckDocument) -> String {
     let joined = document.group(DefectKind::CoincidentVertex).map_or(0, |group| group.count);
     match document.weld {
         None if joined > 0 => {
-            format!("judged as stored; exact welding would join {joined} vertices to others (--weld exact)")
+            let joined = counted(joined, "vertex");
+            format!("judged as stored; exact welding would join {joined} to others (--weld exact)")
         }
         None => "judged as stored; exact welding would join nothing".to_owned(),
         Some(Distance::Exact) => "judged as welded: vertices at the same position are one".to_owned(),
@@ -154,14 +156,19 @@ fn components(document: &CheckDocument) -> Vec<String> {
     let mut lines = table::lines(&kinds.iter().map(component).collect::<Vec<_>>(), &[Align::Right]);
     let hidden = document.component_kinds_total - kinds.len() as u64;
     if hidden > 0 {
-        lines.push(format!("… and {hidden} more kinds"));
+        lines.push(format!("… and {}", counted(hidden, "more kind")));
     }
     lines
 }
 
 fn component(kind: &ComponentKind) -> Vec<String> {
     let name = kind.name.clone().unwrap_or_else(|| "not a surface".to_owned());
-    let elements = format!("{} vertices, {} edges, {} faces", kind.vertices, kind.edges, kind.faces);
+    let elements = format!(
+        "{}, {}, {}",
+        counted(kind.vertices, "vertex"),
+        counted(kind.edges, "edge"),
+        counted(kind.faces, "face")
+    );
     let euler = format!("χ {}", kind.euler_characteristic);
     let place = format!("{} {}", if kind.count > 1 { "the first at" } else { "at" }, kind.first_vertex);
     vec![format!("{} ×", kind.count), name, elements, euler, place]
@@ -223,7 +230,7 @@ pub(super) fn column(document: &CheckDocument) -> Vec<(&'static str, String)> {
     let what = match kinds.as_slice() {
         [kind] if document.component_kinds_total == 1 => format!("{} × {}", kind.count, name(kind)),
         [] => ABSENT.to_owned(),
-        _ => format!("{} kinds", document.component_kinds_total),
+        _ => counted(document.component_kinds_total, "kind"),
     };
     let betti = figure(report.betti.z2.map(|[a, b, c]| format!("{a} {b} {c}")));
     vec![

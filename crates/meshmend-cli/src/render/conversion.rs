@@ -1,5 +1,6 @@
 //! What a conversion did.
 
+use meshmend::core::counted;
 use meshmend::{Loss, ReadFile};
 
 use super::{paragraph, printable};
@@ -8,7 +9,11 @@ use super::{paragraph, printable};
 pub(crate) fn conversion(input: &str, output: &str, file: &ReadFile, losses: &[Loss]) -> String {
     let counts = file.mesh.counts();
     let (input, output) = (printable(input), printable(output));
-    let mut page = format!("{input} → {output}: {} vertices, {} faces\n", counts.vertices, counts.faces);
+    let mut page = format!(
+        "{input} → {output}: {}, {}\n",
+        counted(counts.vertices, "vertex"),
+        counted(counts.faces, "face")
+    );
     let losses = losses.iter().map(|loss| printable(&loss.to_string()));
     page.push_str(&paragraph("what the output can't carry", losses));
     let notes = file.notes.iter().map(|note| printable(&note.to_string()));

@@ -1,6 +1,6 @@
 //! The kernels, and how they took a mesh.
 
-use meshmend::core::Capabilities;
+use meshmend::core::{Capabilities, counted};
 use meshmend::report::{KernelTrial, KernelsDocument};
 use meshmend::{KernelKind, KernelQuestion};
 
@@ -43,7 +43,7 @@ pub(crate) fn trials(file: &str, faces: usize, trials: &[Trial]) -> String {
     };
     let heading = ["kernel", "bytes a face", "built in"].map(str::to_owned).to_vec();
     let rows: Vec<Vec<String>> = std::iter::once(heading).chain(trials.iter().map(row)).collect();
-    let heading = format!("{}: {faces} faces", super::printable(file));
+    let heading = format!("{}: {}", super::printable(file), counted(faces, "face"));
     let mut page = paragraph(&heading, table::lines(&rows, &[Align::Left, Align::Right, Align::Right]));
     let refusals = trials.iter().filter_map(|trial| trial.result.as_ref().err());
     page.push_str(&paragraph("refusals", refusals.map(ToString::to_string)));
@@ -66,7 +66,7 @@ pub(crate) fn kernel_times(document: &KernelsDocument) -> String {
     let mut alignment = vec![Align::Right; KernelQuestion::ALL.len() + 2];
     alignment[0] = Align::Left;
     let file = file.as_deref().map(|file| format!("{}: ", super::printable(file))).unwrap_or_default();
-    let heading = format!("{file}{faces} faces, ns a face by the clock, best of {runs}");
+    let heading = format!("{file}{}, ns a face by the clock, best of {runs}", counted(faces, "face"));
     let mut page = paragraph(&heading, table::lines(&rows, &alignment));
     page.push_str(&paragraph("refusals", kernels.iter().filter_map(|trial| trial.refusal.clone())));
     page.trim_start().to_owned()

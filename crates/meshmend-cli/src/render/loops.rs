@@ -1,5 +1,6 @@
 //! The closed paths of surfaces, and a cut along them.
 
+use meshmend::core::counted;
 use meshmend::repair::CutAlong;
 use meshmend::report::{
     ComponentLoops, CutComponent, CutDocument, LoopDocument, LoopsDocument, SeamDocument,
@@ -16,13 +17,18 @@ const MOST_VERTICES: usize = 8;
 pub(crate) fn loops(document: &LoopsDocument, style: Style) -> String {
     let name = printable(document.file.as_deref().unwrap_or("mesh"));
     let (components, loops) = (document.components_total, document.loops_total);
-    let mut page = format!("{}: {components} components, {loops} loops\n", style.heading(&name));
+    let mut page = format!(
+        "{}: {}, {}\n",
+        style.heading(&name),
+        counted(components, "component"),
+        counted(loops, "loop")
+    );
     for (place, component) in document.components.iter().enumerate() {
         page.push_str(&paragraph(&style.heading(&heading(place, component)), rows(component)));
     }
     let hidden = components - document.components.len() as u64;
     if hidden > 0 {
-        page.push_str(&format!("\nand {hidden} components more (--limit)\n"));
+        page.push_str(&format!("\nand {} more (--limit)\n", counted(hidden, "component")));
     }
     let notes = document.notes.iter().map(|note| printable(&note.to_string()));
     page.push_str(&paragraph("notes of the reader", notes));
@@ -74,11 +80,11 @@ pub(crate) fn cut(document: &CutDocument, style: Style) -> String {
         CutAlong::Generators => "generators",
     };
     let mut page = format!(
-        "{} → {}: cut along {along}, {} edges opened, {} vertices added\n",
+        "{} → {}: cut along {along}, {} opened, {} added\n",
         style.heading(&printable(input)),
         style.heading(&printable(output)),
-        document.seams.count,
-        after.vertices - before.vertices,
+        counted(document.seams.count, "edge"),
+        counted(after.vertices - before.vertices, "vertex"),
     );
     let components = document.components.items.iter().map(component);
     page.push_str(&paragraph(&style.heading("components"), listed(components, document.components.count)));

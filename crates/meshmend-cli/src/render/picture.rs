@@ -1,5 +1,6 @@
 //! What a picture shows, and what it does not.
 
+use meshmend::core::counted;
 use meshmend_render::{Overlay, Picture, Scene};
 
 use super::{paragraph, printable};
@@ -19,7 +20,7 @@ pub(crate) fn picture(input: &str, output: &str, scenes: &[Scene], picture: &Pic
             }
         });
         let heading = scene.caption.as_deref().unwrap_or("shown");
-        let missing = format!("left out, as a corner is not finite: {} faces", left_out.len());
+        let missing = format!("left out, as a corner is not finite: {}", counted(left_out.len(), "face"));
         let missing = (!left_out.is_empty()).then_some(missing);
         page.push_str(&paragraph(&printable(heading), counts.chain(missing)));
     }

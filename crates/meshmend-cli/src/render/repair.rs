@@ -1,5 +1,6 @@
 //! What a repair did: before and after side by side, pass by pass, what went, what is left.
 
+use meshmend::core::counted;
 use meshmend::io::LossKind;
 use meshmend::repair::SeamFigures;
 use meshmend::report::{FigureChanges, NamedFace, PassDocument, RepairDocument};
@@ -51,8 +52,8 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
     };
     let (before, after) = (document.stored.before, document.stored.after);
     let mut parts = vec![
-        format!("{} → {} vertices", before.vertices, after.vertices),
-        format!("{} → {} faces", before.faces, after.faces),
+        format!("{} → {}", before.vertices, counted(after.vertices, "vertex")),
+        format!("{} → {}", before.faces, counted(after.faces, "face")),
     ];
     let changes = [
         (document.removed_faces.count, "faces removed"),
@@ -130,7 +131,8 @@ fn named_one_by_one(document: &PassDocument) -> impl Iterator<Item = String> + '
 fn cut_open(seam: SeamFigures) -> String {
     let length = seam.length.map_or(String::new(), |length| format!(" of length {length:.6}"));
     let SeamFigures { edges, edges_added, vertices_added, .. } = seam;
-    format!("seam of {edges} edges{length} cut open: {edges_added} edges and {vertices_added} vertices added")
+    let seam = format!("seam of {}{length} cut open", counted(edges, "edge"));
+    format!("{seam}: {} and {} added", counted(edges_added, "edge"), counted(vertices_added, "vertex"))
 }
 
 /// How many vertices welding joined. The kind's own title speaks of what exact welding would do.

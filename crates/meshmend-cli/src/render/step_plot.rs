@@ -6,6 +6,7 @@
 
 use std::fmt::Write;
 
+use meshmend::core::counted;
 use meshmend::topology::Incremental;
 
 /// The size of each of the three plots, in user units, and what is round them.
@@ -26,8 +27,9 @@ pub(crate) fn step_plot(title: &str, built: &Incremental) -> String {
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" \
          font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
-         <text x=\"{LEFT}\" y=\"24\" font-size=\"15\">{}: {steps} steps</text>\n",
-        escaped(title)
+         <text x=\"{LEFT}\" y=\"24\" font-size=\"15\">{}: {}</text>\n",
+        escaped(title),
+        counted(steps, "step")
     );
     for (dimension, (name, colour, counted)) in CURVES.iter().enumerate() {
         let columns = Columns::of(built, dimension);

@@ -1,6 +1,7 @@
 //! A layout in the plane.
 
 use meshmend::FaceId;
+use meshmend::core::counted;
 use meshmend::report::{Listing, UnfoldDocument};
 
 use super::{Style, paragraph, printable};
@@ -10,15 +11,17 @@ pub(crate) fn unfolded(document: &UnfoldDocument, style: Style) -> String {
     let [input, output] = [&document.file, &document.output].map(|name| name.as_deref().unwrap_or("mesh"));
     let verdict = match (document.one_to_one, document.flipped.count, document.collapsed.count) {
         (true, ..) => style.good("no face is flipped or has collapsed, exactly"),
-        (false, flipped, collapsed) => {
-            style.bad(&format!("{flipped} faces are flipped, {collapsed} have collapsed"))
-        }
+        (false, flipped, collapsed) => style.bad(&format!(
+            "flipped: {}, collapsed: {}",
+            counted(flipped, "face"),
+            counted(collapsed, "face")
+        )),
     };
     let mut page = format!(
         "{} → {}: {} on a {}, {}\n{verdict}\n",
         style.heading(&printable(input)),
         style.heading(&printable(output)),
-        counted(document.discs as u64, "disc"),
+        counted(document.discs, "disc"),
         document.boundary,
         document.weights,
     );
@@ -34,8 +37,9 @@ pub(crate) fn unfolded(document: &UnfoldDocument, style: Style) -> String {
 
 fn remarks(document: &UnfoldDocument) -> Vec<String> {
     let added = document.stored.after.vertices - document.stored.before.vertices;
-    let cut = format!("{} opened, {added} vertices added", counted(document.opened_edges as u64, "edge"));
-    let evened = format!("weights evened out in {}, for room", counted(document.rounds as u64, "round"));
+    let opened = counted(document.opened_edges, "edge");
+    let cut = format!("{opened} opened, {} added", counted(added, "vertex"));
+    let evened = format!("weights evened out in {}, for room", counted(document.rounds, "round"));
     let square =
         "on a square what lies between two boundary vertices of one side collapses; a circle has no sides";
     let texcoords = "the texture coordinates that there were have been replaced";
@@ -52,8 +56,4 @@ fn faces(listing: &Listing<FaceId>) -> Vec<String> {
     let hidden = listing.count - listing.items.len() as u64;
     let more = (hidden > 0).then(|| format!("and {hidden} more (--limit)"));
     listing.items.iter().map(FaceId::to_string).chain(more).collect()
-}
-
-fn counted(count: u64, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
 }

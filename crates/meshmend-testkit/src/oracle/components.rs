@@ -110,7 +110,7 @@ fn boundary_loops(cells: &Cells, edges: &[usize]) -> usize {
     classes(&labels).len()
 }
 
-/// The name of a compact connected surface, to the letter of the semantics: one hole is "1 holes" too.
+/// The name of a compact connected surface, to the letter of the semantics.
 pub fn surface_name(genus: usize, cross_caps: usize, holes: usize) -> String {
     match (genus, cross_caps, holes) {
         (0, 0, 1) => return "disc".into(),
@@ -131,6 +131,7 @@ pub fn surface_name(genus: usize, cross_caps: usize, holes: usize) -> String {
     };
     match holes {
         0 => closed,
+        1 => format!("{closed} with 1 hole"),
         _ => format!("{closed} with {holes} holes"),
     }
 }

@@ -55,7 +55,7 @@ fn names_are_those_of_the_classification() {
     assert_eq!(name(bow_tie()), None);
     assert_eq!(surface_name(3, 0, 0), "genus-3 surface");
     assert_eq!(surface_name(0, 4, 2), "sphere with 4 cross-caps with 2 holes");
-    assert_eq!(surface_name(1, 0, 1), "torus with 1 holes");
+    assert_eq!(surface_name(1, 0, 1), "torus with 1 hole");
 }
 
 #[test]

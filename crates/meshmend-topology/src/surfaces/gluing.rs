@@ -266,7 +266,7 @@ mod tests {
             ("abac", "Möbius band"),
             ("abAcdC", "annulus"),
             ("abAcdCe", "pair of pants"),
-            ("abcABCd", "torus with 1 holes"),
+            ("abcABCd", "torus with 1 hole"),
         ];
         for (text, expected) in words {
             assert_eq!(name(text), expected, "{text}");

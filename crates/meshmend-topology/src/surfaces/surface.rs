@@ -4,6 +4,8 @@
 //! its number of boundary loops b. An orientable one is a sphere with g = (2 − χ − b) / 2 handles and b holes, any
 //! other a sphere with μ = 2 − χ − b cross-caps and b holes.
 
+use meshmend_core::counted;
+
 /// A connected compact surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Surface {
@@ -92,7 +94,7 @@ pub fn surface_name(surface: Surface) -> String {
     match (with_boundary, surface.holes()) {
         (Some(name), _) => name.to_owned(),
         (None, 0) => closed_name(surface),
-        (None, holes) => format!("{} with {holes} holes", closed_name(surface)),
+        (None, holes) => format!("{} with {}", closed_name(surface), counted(holes, "hole")),
     }
 }
 
@@ -128,7 +130,7 @@ mod tests {
         let open = [orientable(0, 1), orientable(0, 2), orientable(0, 3), twisted(1, 1)];
         assert_eq!(open, ["disc", "annulus", "pair of pants", "Möbius band"]);
         let others = [orientable(0, 4), orientable(1, 1), twisted(1, 2), twisted(5, 7)];
-        let names = ["sphere with 4 holes", "torus with 1 holes", "projective plane with 2 holes"];
+        let names = ["sphere with 4 holes", "torus with 1 hole", "projective plane with 2 holes"];
         assert_eq!(others[..3], names);
         assert_eq!(others[3], "sphere with 5 cross-caps with 7 holes");
     }
