@@ -31,6 +31,7 @@ use crate::{
     Context, Mended, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames, TellingLayers,
 };
 
+mod crossing;
 mod cycles;
 mod nesting;
 mod outward;
@@ -38,6 +39,7 @@ mod patches;
 mod plain;
 mod seams;
 mod uses;
+mod winding;
 
 use cycles::Cycles;
 use outward::{Nested, PatchNamed};

@@ -1,0 +1,280 @@
+//! Round which of many points how many closed shells wind.
+//!
+//! The points are parted again and again, so that those of one part lie close together. For each part there is a place
+//! among them from which it is known how often each shell winds round it, and a list of the triangles that come near
+//! them. On the way to the place of a smaller part the windings change only where a triangle of the list is crossed. A
+//! shell without a triangle in the list winds as often round all points of the part, and is only counted from there on.
+
+use super::crossing::{Triangle, crossing, is_on};
+use meshmend_geometry::vector::{Point, cross, dot, length, minus};
+
+/// A closed surface.
+pub(super) struct Shell {
+    triangles: Vec<Triangle>,
+    bounds: Bounds,
+}
+
+/// A point, and the shell on which it lies, which is not asked about.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Query {
+    pub(super) point: Point,
+    pub(super) own: Option<u32>,
+}
+
+/// What is known of a point.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Answer {
+    /// How many shells wind round it.
+    pub(super) inside: usize,
+    /// The shells on which it lies, in order; these are not counted.
+    pub(super) touching: Vec<u32>,
+    /// Whether its own shell, which does not count either, is among those that wind round its part from afar.
+    own_is_around: bool,
+}
+
+/// Nearer to a triangle than this, in parts of its size, a point may be on it.
+const CLOSE: f64 = 1e-4;
+
+/// Coordinates beyond this make volumes that are no numbers.
+const LARGEST: f64 = 1e100;
+
+/// Where fewer triangles come near some points than this, each point is held against all of them.
+const FEW_TRIANGLES: usize = 24;
+
+impl Shell {
+    pub(super) fn of(triangles: Vec<Triangle>) -> Self {
+        let bounds = Bounds::of(triangles.iter().flatten().copied());
+        Shell { triangles, bounds }
+    }
+
+    /// Whether it has a volume that can be computed; else it holds nothing.
+    fn is_sound(&self) -> bool {
+        let is_small = |x: &f64| x.abs() <= LARGEST;
+        self.triangles.iter().flatten().flatten().all(is_small)
+    }
+}
+
+/// A box along the axes.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    low: Point,
+    high: Point,
+}
+
+impl Bounds {
+    fn of(points: impl Iterator<Item = Point>) -> Self {
+        let empty = Bounds { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
+        points.fold(empty, |bounds, point| Bounds {
+            low: std::array::from_fn(|i| bounds.low[i].min(point[i])),
+            high: std::array::from_fn(|i| bounds.high[i].max(point[i])),
+        })
+    }
+
+    fn holds(&self, point: Point) -> bool {
+        (0..3).all(|i| self.low[i] <= point[i] && point[i] <= self.high[i])
+    }
+
+    fn middle(&self) -> Point {
+        std::array::from_fn(|i| self.low[i] + (self.high[i] - self.low[i]) / 2.0)
+    }
+
+    /// The axis along which it is longest, and how long it is there.
+    fn longest(&self) -> (usize, f64) {
+        let length = |i: usize| self.high[i] - self.low[i];
+        (1..3).fold((0, length(0)), |best, i| if length(i) > best.1 { (i, length(i)) } else { best })
+    }
+
+    /// Whether a triangle comes near the box; where that is not sure, it does.
+    fn is_near(&self, triangle: &Triangle) -> bool {
+        let own = Bounds::of(triangle.iter().copied());
+        let close = CLOSE * own.longest().1;
+        let is_apart = |i: usize| own.low[i] - close > self.high[i] || own.high[i] + close < self.low[i];
+        if (0..3).any(is_apart) {
+            return false;
+        }
+        let [a, b, c] = *triangle;
+        let normal = cross(minus(b, a), minus(c, a));
+        let middle = self.middle();
+        let reach: f64 = (0..3).map(|i| normal[i].abs() * (self.high[i] - self.low[i]) / 2.0).sum();
+        let largest = (0..3).map(|i| middle[i].abs().max(a[i].abs())).fold(0.0, f64::max);
+        let rounding = 1e-14 * largest;
+        let distance = dot(normal, minus(middle, a)).abs();
+        // A comparison with what is no number says that it may be near.
+        let is_beside = distance > 1.000_001 * (reach + length(normal) * (close + rounding));
+        !is_beside
+    }
+}
+
+/// A shell in a part: how often it winds round the part's place, and how many triangles of the list are its.
+#[derive(Clone, Copy, Debug)]
+struct Near {
+    shell: u32,
+    winding: i32,
+    triangles: usize,
+}
+
+/// What is known where some points are.
+struct Part<'a> {
+    bounds: Bounds,
+    place: Point,
+    /// How many of the shells that are not near wind round all of the points.
+    around: usize,
+    near: Vec<Near>,
+    /// The triangles of the shells that are near, shell by shell.
+    triangles: Vec<&'a Triangle>,
+}
+
+/// The search.
+pub(super) struct Windings<'a> {
+    shells: &'a [&'a Shell],
+    queries: &'a [Query],
+    answers: Vec<Answer>,
+    /// Which query lies on a shell.
+    query_on: Vec<Option<u32>>,
+    /// The part that a query was in last.
+    part_of: Vec<u32>,
+    parts: u32,
+}
+
+impl<'a> Windings<'a> {
+    /// How many shells wind round each point.
+    ///
+    /// A point that is not finite is inside of nothing, and so is any point of a shell that has such a corner.
+    pub(super) fn of(shells: &'a [&'a Shell], queries: &'a [Query]) -> Vec<Answer> {
+        let mut query_on = vec![None; shells.len()];
+        for (place, query) in queries.iter().enumerate() {
+            if let Some(own) = query.own {
+                query_on[own as usize] = Some(place as u32);
+            }
+        }
+        let mut search = Windings {
+            shells,
+            queries,
+            answers: vec![Answer::default(); queries.len()],
+            query_on,
+            part_of: vec![0; queries.len()],
+            parts: 0,
+        };
+        let is_small = |query: &Query| query.point.iter().all(|x| x.abs() <= LARGEST);
+        let mut places: Vec<u32> = (0..queries.len() as u32).collect();
+        places.retain(|&place| is_small(&queries[place as usize]));
+        if !places.is_empty() {
+            let whole = search.whole(&places);
+            search.part(&mut places, &whole);
+        }
+        search.answers
+    }
+
+    fn bounds(&self, places: &[u32]) -> Bounds {
+        Bounds::of(places.iter().map(|&place| self.queries[place as usize].point))
+    }
+
+    /// All points, with all shells.
+    fn whole(&mut self, places: &[u32]) -> Part<'a> {
+        let bounds = self.bounds(places);
+        let place = bounds.middle();
+        let mut whole = Part { bounds, place, around: 0, near: Vec::new(), triangles: Vec::new() };
+        self.parts += 1;
+        places.iter().for_each(|&query| self.part_of[query as usize] = self.parts);
+        for (number, shell) in self.shells.iter().enumerate().filter(|(_, shell)| shell.is_sound()) {
+            // From outside of the shell to the place.
+            let outside = shell.bounds.high[0].max(place[0]) + 1.0 + shell.bounds.longest().1;
+            let crossings = shell.triangles.iter().map(|triangle| crossing(triangle, place, 0, outside));
+            let winding = if shell.bounds.holds(place) { -crossings.sum::<i32>() } else { 0 };
+            let near = shell.triangles.iter().filter(|triangle| bounds.is_near(triangle));
+            let before = whole.triangles.len();
+            whole.triangles.extend(near);
+            let triangles = whole.triangles.len() - before;
+            self.keep(&mut whole, Near { shell: number as u32, winding, triangles });
+        }
+        whole
+    }
+
+    /// Keeps a shell that is near, or counts one that winds round the part from afar.
+    fn keep(&mut self, part: &mut Part<'a>, near: Near) {
+        if near.triangles > 0 {
+            part.near.push(near);
+        } else if near.winding != 0 {
+            part.around += 1;
+            // A face that is not plane may be far from its own middle.
+            if let Some(own) =
+                self.query_on[near.shell as usize].filter(|&own| self.part_of[own as usize] == self.parts)
+            {
+                self.answers[own as usize].own_is_around = true;
+            }
+        }
+    }
+
+    /// Answers for points by parting them.
+    fn part(&mut self, places: &mut [u32], part: &Part<'a>) {
+        let (axis, length) = part.bounds.longest();
+        if places.len() == 1 || part.triangles.len() <= FEW_TRIANGLES || length == 0.0 {
+            places.iter().for_each(|&place| self.answer(place, part));
+            return;
+        }
+        let along = |place: u32| self.queries[place as usize].point[axis];
+        let middle = places.len() / 2;
+        places.select_nth_unstable_by(middle, |&one, &other| {
+            along(one).total_cmp(&along(other)).then(one.cmp(&other))
+        });
+        let (before, after) = places.split_at_mut(middle);
+        for half in [before, after] {
+            let smaller = self.narrowed(part, half);
+            self.part(half, &smaller);
+        }
+    }
+
+    /// What is known where some of a part's points are.
+    fn narrowed(&mut self, part: &Part<'a>, places: &[u32]) -> Part<'a> {
+        let bounds = self.bounds(places);
+        let place = bounds.middle();
+        let mut smaller =
+            Part { bounds, place, around: part.around, near: Vec::new(), triangles: Vec::new() };
+        self.parts += 1;
+        places.iter().for_each(|&query| self.part_of[query as usize] = self.parts);
+        let mut rest = &part.triangles[..];
+        for near in &part.near {
+            let (own, others) = rest.split_at(near.triangles);
+            rest = others;
+            let winding = near.winding + change(own, part.place, place);
+            let before = smaller.triangles.len();
+            smaller.triangles.extend(own.iter().copied().filter(|triangle| bounds.is_near(triangle)));
+            let triangles = smaller.triangles.len() - before;
+            self.keep(&mut smaller, Near { winding, triangles, ..*near });
+        }
+        smaller
+    }
+
+    /// Answers for one point.
+    fn answer(&mut self, place: u32, part: &Part<'a>) {
+        let Query { point, own } = self.queries[place as usize];
+        let answer = &mut self.answers[place as usize];
+        answer.inside = part.around - usize::from(answer.own_is_around);
+        let mut rest = &part.triangles[..];
+        for near in &part.near {
+            let (triangles, others) = rest.split_at(near.triangles);
+            rest = others;
+            if own == Some(near.shell) || !self.shells[near.shell as usize].bounds.holds(point) {
+                continue;
+            }
+            if triangles.iter().any(|triangle| is_on(triangle, point)) {
+                answer.touching.push(near.shell);
+            } else {
+                answer.inside += usize::from(near.winding + change(triangles, part.place, point) != 0);
+            }
+        }
+    }
+}
+
+/// How the winding of a shell changes from one place to another, when it is these triangles that may lie between them.
+fn change(triangles: &[&Triangle], from: Point, to: Point) -> i32 {
+    let mut change = 0;
+    let mut at = from;
+    for axis in 0..3 {
+        if at[axis] != to[axis] {
+            change += triangles.iter().map(|triangle| crossing(triangle, at, axis, to[axis])).sum::<i32>();
+            at[axis] = to[axis];
+        }
+    }
+    change
+}
