@@ -7,9 +7,11 @@
 mod commands;
 mod console;
 mod failure;
+mod outputs;
 mod policies;
 mod progress;
 mod render;
+mod signals;
 mod threads;
 mod words;
 
@@ -19,6 +21,7 @@ use clap::Parser;
 
 pub use crate::console::Console;
 pub use crate::failure::Status;
+pub use crate::signals::end_cleanly;
 
 use crate::commands::Command;
 use crate::failure::Failure;

@@ -162,6 +162,11 @@ enum CompactWord {
 }
 
 impl Policies {
+    /// The file that the plan is read from.
+    pub(crate) fn plan_file(&self) -> Option<&Path> {
+        self.plan.as_deref()
+    }
+
     /// The plan that they make.
     pub(crate) fn plan(&self) -> Result<Plan, Failure> {
         let mut plan = self.plan.as_deref().map_or(Ok(Plan::default()), read_plan)?;

@@ -36,6 +36,22 @@ fn before_and_after_are_side_by_side_and_counted() {
 }
 
 #[test]
+fn what_may_be_wrong_is_shown_unless_something_else_is_asked_for() {
+    let folder = Folder::new();
+    let (svg, broken) = (folder.at("a.svg"), example("broken.obj"));
+    let told = meshmend(&["render", &broken, "-o", &svg]).succeeds().stdout;
+    for shown in ["boundary: ", "non-manifold: ", "inconsistent: ", "witness: "] {
+        assert!(told.contains(shown), "{told}");
+    }
+    assert!(fs::read_to_string(&svg).unwrap().contains(">non-manifold edges</text>"));
+    let told = meshmend(&["render", &broken, "-o", &svg, "--overlay", "none"]).succeeds().stdout;
+    assert!(!told.contains("non-manifold"), "{told}");
+    assert!(!fs::read_to_string(&svg).unwrap().contains(">non-manifold edges</text>"));
+    let told = meshmend(&["render", &broken, "-o", &svg, "--overlay", "components"]).succeeds().stdout;
+    assert!(!told.contains("non-manifold") && told.contains("components: "), "{told}");
+}
+
+#[test]
 fn a_contact_sheet_has_a_picture_for_each_generator() {
     let folder = Folder::new();
     let svg = folder.at("a.svg");

@@ -50,7 +50,7 @@ mod stl;
 mod text;
 mod write;
 
-pub use atomic::replace_file;
+pub use atomic::{abandon_temporary_files, replace_file, target_of};
 pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 pub use format::{Encoding, Format};
 pub use held::held_layers;

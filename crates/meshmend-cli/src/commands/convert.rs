@@ -7,6 +7,7 @@ use clap::Args;
 use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::outputs::{Content, Files};
 use crate::render;
 use crate::words::OutputWords;
 
@@ -28,6 +29,7 @@ pub(crate) struct Convert {
 impl Convert {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let options = self.words.options(&self.output)?;
+        Files::of_mesh(&self.input).writing("the output", Some(&self.output), Content::Mesh).check()?;
         let progress = console.progress(2);
         progress.step("read");
         let file = read(&self.input)?;

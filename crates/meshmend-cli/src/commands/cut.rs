@@ -12,6 +12,7 @@ use super::loops::{LoopWords, failure};
 use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::outputs::{Content, Files};
 use crate::render;
 use crate::words::OutputWords;
 
@@ -54,6 +55,7 @@ enum AlongWord {
 impl Cut {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let options = self.words.options(&self.output)?;
+        Files::of_mesh(&self.input).writing("--output", Some(&self.output), Content::Mesh).check()?;
         let along = match self.along {
             AlongWord::CutGraph => CutAlong::CutGraph,
             AlongWord::Generators => CutAlong::Generators,

@@ -12,6 +12,7 @@ use super::check::json_line;
 use super::{loops, name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::outputs::{Content, Files};
 use crate::render;
 use crate::words::OutputWords;
 
@@ -67,9 +68,19 @@ enum Target {
     Picture,
 }
 
+impl Target {
+    fn content(&self) -> Content {
+        match self {
+            Target::Mesh(_) => Content::Mesh,
+            Target::Picture => Content::Picture,
+        }
+    }
+}
+
 impl Flatten {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let target = self.target()?;
+        Files::of_mesh(&self.input).writing("--output", Some(&self.output), target.content()).check()?;
         let progress = console.progress(3);
         progress.step("read");
         let file = read(&self.input)?;

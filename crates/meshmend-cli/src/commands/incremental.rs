@@ -11,6 +11,7 @@ use super::check::json_line;
 use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::outputs::{Content, Files};
 use crate::render;
 use crate::words::{self, Welding};
 
@@ -40,6 +41,7 @@ pub(crate) struct Incremental {
 
 impl Incremental {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+        Files::of_mesh(&self.file).writing("--plot", self.plot.as_deref(), Content::Picture).check()?;
         let progress = console.progress(2);
         progress.step(&format!("read {}", self.file.display()));
         let file = read(&self.file)?;

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use meshmend::core::counted;
 use meshmend::io::replace_file;
 use meshmend::{PolygonMesh, View};
 use meshmend_render::{
@@ -13,6 +14,7 @@ use meshmend_render::{
 use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::outputs::{Content, Files};
 use crate::render;
 use crate::words::{self, Welding};
 
@@ -27,7 +29,7 @@ pub(crate) struct Render {
     /// The file to write, named `.svg` or `.png`
     #[arg(short, long, value_name = "PICTURE")]
     output: PathBuf,
-    /// What to show on the faces
+    /// What to show on the faces [default: what may be wrong]
     #[arg(long, value_name = "KIND", value_delimiter = ',', value_enum)]
     overlay: Vec<OverlayWord>,
     /// How large the picture is, in pixels [default: 800x600, or 1200x900 for several]
@@ -54,7 +56,7 @@ pub(crate) struct Render {
     /// Draw a picture for each item of a kind
     #[arg(long, value_name = "KIND", value_enum, conflicts_with = "before_after")]
     contact_sheet: Option<SheetWord>,
-    /// Draw the mesh beside what the default repair makes of it; without --overlay, with all that may be wrong
+    /// Draw the mesh beside what the default repair makes of it
     #[arg(long)]
     before_after: bool,
     /// Draw as welded: none, exact, a length, or a percentage of the bounding box's diagonal; by default exact for
@@ -93,11 +95,13 @@ enum OverlayWord {
     Cotree,
     /// Where to cut what has one side only
     Seam,
+    /// Nothing: the faces alone
+    None,
 }
 
 impl OverlayWord {
-    fn kind(self) -> OverlayKind {
-        match self {
+    fn kind(self) -> Option<OverlayKind> {
+        Some(match self {
             OverlayWord::Boundary => OverlayKind::Boundary,
             OverlayWord::NonManifold => OverlayKind::NonManifold,
             OverlayWord::Inconsistent => OverlayKind::Inconsistent,
@@ -107,11 +111,12 @@ impl OverlayWord {
             OverlayWord::Tree => OverlayKind::Tree,
             OverlayWord::Cotree => OverlayKind::Cotree,
             OverlayWord::Seam => OverlayKind::Seam,
-        }
+            OverlayWord::None => return None,
+        })
     }
 }
 
-/// What `--before-after` shows unless it is told.
+/// What is shown unless something else is asked for.
 const WRONG: [OverlayKind; 4] =
     [OverlayKind::Boundary, OverlayKind::NonManifold, OverlayKind::Inconsistent, OverlayKind::Witness];
 
@@ -125,6 +130,7 @@ enum PictureFormat {
 impl Render {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let format = format_of(&self.output)?;
+        Files::of_mesh(&self.input).writing("--output", Some(&self.output), Content::Picture).check()?;
         let camera = self.camera()?;
         let progress = console.progress(3);
         progress.step("read");
@@ -164,10 +170,11 @@ impl Render {
     }
 
     fn kinds(&self) -> Vec<OverlayKind> {
-        if self.before_after && self.overlay.is_empty() {
+        // A sheet shows one thing a picture.
+        if self.overlay.is_empty() && self.contact_sheet.is_none() {
             return WRONG.to_vec();
         }
-        self.overlay.iter().map(|word| word.kind()).collect()
+        self.overlay.iter().filter_map(|word| word.kind()).collect()
     }
 
     /// A mesh with what is to be shown on it.
@@ -192,7 +199,7 @@ impl Render {
         let scene = |(number, path): (usize, &Vec<_>)| {
             let mut scene = plain.clone();
             scene.overlays.push(Overlay::Generators { loops: vec![path.clone()], more: 0 });
-            scene.caption = Some(format!("generator {number}: {} edges", path.len()));
+            scene.caption = Some(format!("generator {number}: {}", counted(path.len(), "edge")));
             scene
         };
         let scenes: Vec<Scene> = loops.iter().enumerate().map(scene).collect();
@@ -282,9 +289,9 @@ mod tests {
 
     #[test]
     fn every_kind_of_overlay_has_a_word() {
-        let words = OverlayWord::value_variants()
-            .iter()
-            .map(|word| (word.kind(), word.to_possible_value().map(|value| value.get_name().to_owned())));
+        let words = OverlayWord::value_variants().iter().filter_map(|word| {
+            Some((word.kind()?, word.to_possible_value().map(|value| value.get_name().to_owned())))
+        });
         for ((kind, word), expected) in words.zip(OverlayKind::ALL) {
             assert_eq!((kind, word.as_deref()), (*expected, Some(expected.name())));
         }

@@ -16,6 +16,7 @@ use super::check::json_line;
 use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::outputs::{Content, Files};
 use crate::policies::Policies;
 use crate::render::{self, Style};
 use crate::words::{self, OutputWords};
@@ -101,7 +102,7 @@ impl Repair {
         };
         let pipeline = plan.pipeline().on_kernel(self.kernel).storing(storage(format));
         let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
-        self.check_report_options()?;
+        self.check_files()?;
 
         let progress = console.progress(pipeline.passes().len() + 4);
         progress.step("read");
@@ -152,17 +153,16 @@ impl Repair {
         self.json || self.report.is_some()
     }
 
-    /// Fails when options about the report contradict the others.
-    fn check_report_options(&self) -> Result<(), Failure> {
+    /// Fails when options about the report contradict the others, or a file would take the place of another.
+    fn check_files(&self) -> Result<(), Failure> {
         if self.report_maps && !self.makes_json() {
             return Err(Failure::usage("--report-maps needs --json or --report"));
         }
-        let Some(report) = self.report.as_deref() else { return Ok(()) };
-        let mut meshes = std::iter::once(&self.input).chain(&self.output);
-        match meshes.find(|mesh| is_same_file(mesh, report)) {
-            Some(mesh) => Err(Failure::usage(format!("--report would overwrite {}", mesh.display()))),
-            None => Ok(()),
-        }
+        Files::of_mesh(&self.input)
+            .reading("--plan", self.policies.plan_file(), Content::Plan)
+            .writing("--output", self.output.as_deref(), Content::Mesh)
+            .writing("--report", self.report.as_deref(), Content::Report)
+            .check()
     }
 
     fn before(&self, file: &ReadFile) -> Result<(CheckDocument, Examined), Failure> {
@@ -248,18 +248,4 @@ impl From<io::Error> for Interrupted {
     fn from(error: io::Error) -> Self {
         Interrupted::Report(error)
     }
-}
-
-/// Whether two names lead to one file, as far as can be told.
-fn is_same_file(one: &Path, other: &Path) -> bool {
-    let whole = |path: &Path| {
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        path.canonicalize().or_else(|_| {
-            folder.canonicalize().map(|folder| match path.file_name() {
-                Some(name) => folder.join(name),
-                None => folder,
-            })
-        })
-    };
-    one == other || matches!((whole(one), whole(other)), (Ok(one), Ok(other)) if one == other)
 }
