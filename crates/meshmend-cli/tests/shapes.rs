@@ -64,6 +64,9 @@ fn shapes_that_there_are_not_are_refused() {
     meshmend(&["make", "cube", "--genus", "1", "-o", &file]).fails(2, "`cube` has no genus");
     meshmend(&["make", "torus", "--resolution", "2", "-o", &file]).fails(2, "at least 3");
     meshmend(&["make", "torus", "--resolution", "99999999999", "-o", &file]).fails(2, "so large");
+    meshmend(&["make", "tetrahedron", "--refine", "40", "-o", &file]).fails(2, "so large");
+    let most = usize::MAX.to_string();
+    meshmend(&["make", "cube", "--refine", &most, "--triangles", "-o", &file]).fails(2, "so large");
     meshmend(&["make", "surface", "--genus", "1", "--cross-caps", "1", "-o", &file]).fails(2, "--cross-caps");
     meshmend(&["make", "cube"]).fails(2, "--output");
     meshmend(&["make", "cube", "-o", &folder.at("a.gif")]).fails(2, "a.gif");

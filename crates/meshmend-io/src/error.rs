@@ -6,6 +6,7 @@ use meshmend_core::DraftError;
 use serde::Serialize;
 use thiserror::Error;
 
+use crate::limits::name_of_limit;
 use crate::{Encoding, Format};
 
 /// A place in a file.
@@ -56,7 +57,7 @@ pub enum ReadErrorKind {
     #[error("{0}")]
     Malformed(String),
     /// The file holds more than the limits allow.
-    #[error("{found} {what} are more than the limit of {limit}")]
+    #[error("{found} {what} are more than the limit of {limit}{}", name_of_limit(what))]
     LimitExceeded {
         /// What there is too much of.
         what: &'static str,
@@ -151,7 +152,7 @@ mod tests {
             (unread(b"f 1\n", obj), "vertex 1 does not exist: the file has 0 vertices"),
             (
                 unread(b"v 0 0 0\n", ReadOptions { limits: small, ..obj }),
-                "8 bytes are more than the limit of 7",
+                "8 bytes are more than the limit of 7 (max_file_bytes)",
             ),
         ];
         assert_every_variant!(cases, ReadErrorKind { UnknownFormat, Io, Malformed, LimitExceeded });

@@ -9,6 +9,8 @@ use meshmend_core::MAX_CORNERS;
 pub struct Limits {
     /// Bytes of the file; 16 GiB by default.
     pub max_file_bytes: u64,
+    /// Bytes of a source that does not tell its size, such as a pipe or a device, which may have no end; 1 GiB by default.
+    pub max_stream_bytes: u64,
     /// Vertices; 2³¹ − 1 by default, which is also the most that a mesh holds.
     pub max_vertices: u64,
     /// Faces; 2³¹ − 1 by default, which is also the most that a mesh holds.
@@ -17,6 +19,30 @@ pub struct Limits {
     pub max_corners: u64,
     /// Comments that are kept as metadata; 10 000 by default. Further ones are counted in a note.
     pub max_comments: usize,
+    /// Elements and properties that the header of a PLY file declares, together; 65 536 by default.
+    pub max_declarations: u64,
+}
+
+/// What there can be too much of in a file, with the name of its limit.
+const NAMES: [(&str, &str); 6] = [
+    ("bytes", "max_file_bytes"),
+    (STREAM_BYTES, "max_stream_bytes"),
+    ("vertices", "max_vertices"),
+    ("faces", "max_faces"),
+    ("corners", "max_corners"),
+    (DECLARATIONS, "max_declarations"),
+];
+
+/// What a source without a size can have too much of.
+pub(crate) const STREAM_BYTES: &str = "bytes from a source that does not tell its size";
+
+/// What the header of a PLY file can have too much of.
+pub(crate) const DECLARATIONS: &str = "elements and properties";
+
+/// The name of the limit on something, in parentheses.
+pub(crate) fn name_of_limit(what: &str) -> String {
+    let found = NAMES.iter().find(|(limited, _)| *limited == what);
+    found.map_or(String::new(), |(_, name)| format!(" ({name})"))
 }
 
 impl Default for Limits {
@@ -24,10 +50,12 @@ impl Default for Limits {
         let most = MAX_CORNERS as u64 - 1;
         Limits {
             max_file_bytes: 16 << 30,
+            max_stream_bytes: 1 << 30,
             max_vertices: most,
             max_faces: most,
             max_corners: most,
             max_comments: 10_000,
+            max_declarations: 1 << 16,
         }
     }
 }
@@ -60,10 +88,12 @@ mod tests {
     fn what_a_mesh_holds_bounds_wider_limits_and_leaves_narrower_ones() {
         let endless = Limits {
             max_file_bytes: u64::MAX,
+            max_stream_bytes: u64::MAX,
             max_vertices: u64::MAX,
             max_faces: u64::MAX,
             max_corners: u64::MAX,
             max_comments: usize::MAX,
+            max_declarations: u64::MAX,
         };
         let bounded = endless.within_a_mesh();
         let of_a_mesh = [bounded.max_vertices, bounded.max_faces, bounded.max_corners];

@@ -7,6 +7,7 @@ use std::path::Path;
 use meshmend_core::PolygonMesh;
 
 use crate::ahead::Pace;
+use crate::limits::STREAM_BYTES;
 use crate::note::Notes;
 use crate::obj::companions;
 use crate::{Format, Limits, Note, Place, ReadError, ReadErrorKind, Shell};
@@ -49,7 +50,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     let (name, limits) = (path.display().to_string(), &options.limits);
     let failed = |kind| ReadError { file: name.clone(), place: Place::File, kind };
     let format = options.format.or_else(|| Format::from_path(path));
-    let (mut file, announced) = open(path, limits.max_file_bytes).map_err(failed)?;
+    let (mut file, announced) = open(path, limits).map_err(failed)?;
     let mut bytes = Vec::with_capacity(HEAD.min(announced));
     file.by_ref()
         .take(HEAD as u64)
@@ -63,7 +64,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
             return parsed.map(|parsed| parsed.of(format));
         }
     }
-    let bytes = take_in(bytes, file, announced, limits.max_file_bytes).map_err(failed)?;
+    let bytes = take_in(bytes, file, announced, Most::of(announced, limits)).map_err(failed)?;
     read_as(&bytes, &name, format, limits).map(|file| companions::looked_for(file, path))
 }
 
@@ -153,18 +154,36 @@ fn is_foreign(extension: &std::ffi::OsStr) -> bool {
     FOREIGN.iter().any(|foreign| extension.eq_ignore_ascii_case(foreign))
 }
 
-/// A file that is to be read, and how many bytes it says that it holds.
-fn open(path: &Path, limit: u64) -> Result<(File, usize), ReadErrorKind> {
+/// A file that is to be read, and how many bytes it says that it holds: none where it does not tell.
+fn open(path: &Path, limits: &Limits) -> Result<(File, usize), ReadErrorKind> {
     let file = File::open(path).map_err(ReadErrorKind::Io)?;
     let status = file.metadata().map_err(ReadErrorKind::Io)?;
     if status.is_dir() {
         return Err(ReadErrorKind::Io(io::Error::from(io::ErrorKind::IsADirectory)));
     }
-    let found = status.len();
+    let (found, limit) = (status.len(), limits.max_file_bytes);
     if found > limit {
         return Err(ReadErrorKind::LimitExceeded { what: "bytes", found, limit });
     }
     Ok((file, usize::try_from(found).unwrap_or(usize::MAX)))
+}
+
+/// How many bytes a source may give, and what they are called in errors.
+#[derive(Clone, Copy)]
+struct Most {
+    what: &'static str,
+    limit: u64,
+}
+
+impl Most {
+    /// The limit for a source that says that it holds so many bytes. One that says nothing, such as a pipe or a device, may
+    /// have no end.
+    fn of(announced: usize, limits: &Limits) -> Self {
+        match announced {
+            0 => Most { what: STREAM_BYTES, limit: limits.max_stream_bytes.min(limits.max_file_bytes) },
+            _ => Most { what: "bytes", limit: limits.max_file_bytes },
+        }
+    }
 }
 
 /// The bytes at the start of a source, and all others that it gives; it says that it holds `announced`.
@@ -172,14 +191,14 @@ fn take_in(
     mut bytes: Vec<u8>,
     from: impl Read,
     announced: usize,
-    limit: u64,
+    Most { what, limit }: Most,
 ) -> Result<Vec<u8>, ReadErrorKind> {
     let too_large = |_| ReadErrorKind::Io(io::Error::from(io::ErrorKind::OutOfMemory));
     bytes.try_reserve_exact(announced.saturating_sub(bytes.len()).saturating_add(1)).map_err(too_large)?;
     let room = limit.saturating_sub(bytes.len() as u64).saturating_add(1);
     from.take(room).read_to_end(&mut bytes).map_err(ReadErrorKind::Io)?;
     let found = bytes.len() as u64;
-    if found > limit { Err(ReadErrorKind::LimitExceeded { what: "bytes", found, limit }) } else { Ok(bytes) }
+    if found > limit { Err(ReadErrorKind::LimitExceeded { what, found, limit }) } else { Ok(bytes) }
 }
 
 #[cfg(test)]
@@ -205,6 +224,26 @@ mod tests {
         }
     }
 
+    /// A limit on bytes.
+    fn most(limit: u64) -> Most {
+        Most { what: "bytes", limit }
+    }
+
+    /// A source without an end is read up to a limit of its own, and one that tells its size is not.
+    #[test]
+    fn what_does_not_tell_its_size_has_a_limit_of_its_own() {
+        let limits = Limits { max_stream_bytes: 1000, ..Limits::default() };
+        match take_in(Vec::new(), io::repeat(0), 0, Most::of(0, &limits)) {
+            Err(error @ ReadErrorKind::LimitExceeded { found: 1001, limit: 1000, .. }) => {
+                assert!(error.to_string().ends_with("(max_stream_bytes)"), "{error}");
+            }
+            other => panic!("{other:?}"),
+        }
+        assert_eq!(take_in(Vec::new(), &[7; 2000][..], 2000, Most::of(2000, &limits)).unwrap(), [7; 2000]);
+        let narrow = Limits { max_file_bytes: 10, ..limits };
+        assert!(take_in(Vec::new(), io::repeat(0), 0, Most::of(0, &narrow)).is_err());
+    }
+
     #[test]
     fn whichever_read_fails_the_error_comes_back_and_interruptions_are_nothing() {
         let content = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -212,12 +251,12 @@ mod tests {
         for failing in 1..=content.len().div_ceil(3) + 1 {
             for announced in [0, content.len()] {
                 let source = |error| Failing { rest: content, calls: 0, failing, error };
-                match take_in(Vec::new(), source(io::ErrorKind::Other), announced, 1000) {
+                match take_in(Vec::new(), source(io::ErrorKind::Other), announced, most(1000)) {
                     Err(ReadErrorKind::Io(error)) => assert_eq!(error.kind(), io::ErrorKind::Other),
                     other => panic!("call {failing}: {other:?}"),
                 }
                 let interrupted = source(io::ErrorKind::Interrupted);
-                assert_eq!(take_in(Vec::new(), interrupted, announced, 1000).unwrap(), content);
+                assert_eq!(take_in(Vec::new(), interrupted, announced, most(1000)).unwrap(), content);
             }
         }
     }
@@ -226,7 +265,7 @@ mod tests {
     fn a_limit_is_the_most_that_is_taken_whatever_is_announced() {
         let content: &[u8] = b"12345";
         for (announced, head) in (0..=6).flat_map(|announced| [(announced, 0), (announced, 3)]) {
-            let taken = |limit| take_in(content[..head].to_vec(), &content[head..], announced, limit);
+            let taken = |limit| take_in(content[..head].to_vec(), &content[head..], announced, most(limit));
             assert_eq!(taken(5).unwrap(), content);
             match taken(4) {
                 Err(ReadErrorKind::LimitExceeded { found: 5, limit: 4, .. }) => {}
@@ -237,7 +276,7 @@ mod tests {
 
     #[test]
     fn what_is_announced_beyond_all_memory_is_an_error() {
-        let taken = take_in(Vec::new(), io::empty(), usize::MAX, u64::MAX);
+        let taken = take_in(Vec::new(), io::empty(), usize::MAX, most(u64::MAX));
         assert!(matches!(taken, Err(ReadErrorKind::Io(error)) if error.kind() == io::ErrorKind::OutOfMemory));
     }
 }

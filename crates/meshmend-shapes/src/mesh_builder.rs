@@ -14,15 +14,11 @@ pub(crate) struct MeshBuilder {
 }
 
 impl MeshBuilder {
-    /// An empty builder, if a mesh has room for as many corners as the product of the factors, or for as many
-    /// vertices.
+    /// An empty builder, if a mesh has room for as many corners as the product of the factors, or for as many vertices,
+    /// and so has the memory.
     pub(crate) fn with_room(factors: &[usize]) -> Result<Self, ShapeError> {
-        let count = factors.iter().fold(1usize, |product, &factor| product.saturating_mul(factor));
-        if count < MAX_CORNERS {
-            Ok(MeshBuilder::default())
-        } else {
-            Err(FaceTableError::TooLarge { what: "corners", count }.into())
-        }
+        has_room(factors.iter().fold(1usize, |product, &factor| product.saturating_mul(factor)))?;
+        Ok(MeshBuilder::default())
     }
 
     /// Adds a point and gives its vertex.
@@ -75,6 +71,20 @@ impl MeshBuilder {
     ) -> Result<Shape, ShapeError> {
         self.shape(name, Truth::branched(betti, counts))
     }
+}
+
+/// What a mesh takes at most while it is made, for each of its corners: its vertices, tables and edges, and those of the
+/// coarser one that it is made from.
+const BYTES_A_CORNER: usize = 40;
+
+/// Fails unless a mesh holds so many corners, and the memory that it takes can be had. None of it is taken.
+pub(crate) fn has_room(corners: usize) -> Result<(), ShapeError> {
+    if corners >= MAX_CORNERS {
+        return Err(FaceTableError::TooLarge { what: "corners", count: corners }.into());
+    }
+    let bytes = corners.saturating_mul(BYTES_A_CORNER);
+    let asked: Result<(), _> = Vec::<u8>::new().try_reserve_exact(bytes);
+    asked.map_err(|_| ShapeError::NoMemory { corners, bytes })
 }
 
 /// The size, if it is not too small.

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::Truth;
 use crate::generators::Parameter;
-use crate::mesh_builder::MeshBuilder;
+use crate::mesh_builder::{MeshBuilder, has_room};
 
 /// A mesh and what is true of it.
 #[derive(Clone, Debug)]
@@ -34,6 +34,14 @@ pub enum ShapeError {
     /// The mesh would have more corners than a table holds.
     #[error("there are no meshes so large: {0}")]
     TooLarge(#[from] FaceTableError),
+    /// The memory that the mesh would take can't be had.
+    #[error("there is no memory for a mesh so large: {corners} corners take some {} MB", bytes / 1_000_000)]
+    NoMemory {
+        /// How many corners its faces would have.
+        corners: usize,
+        /// What it would take while it is made.
+        bytes: usize,
+    },
     /// The shape has no such size.
     #[error("`{shape}` has no {parameter}")]
     NoSuchParameter {
@@ -84,6 +92,24 @@ impl Shape {
         builder.shape(format!("{}, refined", self.name), self.truth.with_counts(counts))
     }
 
+    /// The same [refined](Shape::refined) so many times. What would be too large is refused before any of it is made.
+    ///
+    /// # Errors
+    /// When that is too large.
+    ///
+    /// *Cost*: linear in what it makes.
+    pub fn refined_times(&self, times: usize) -> Result<Shape, ShapeError> {
+        let corners = self.mesh.complex().faces().corner_count();
+        // Each corner becomes a face of four.
+        let factor = u32::try_from(times).map_or(usize::MAX, |times| 4_usize.saturating_pow(times));
+        has_room(corners.saturating_mul(factor))?;
+        let mut shape = self.clone();
+        for _ in 0..times {
+            shape = shape.refined()?;
+        }
+        Ok(shape)
+    }
+
     /// The same with each face of n > 3 corners cut into n − 2 triangles from its first corner, by n − 3 new edges.
     ///
     /// Those edges are new for every shape but [`out_and_back`](crate::out_and_back), whose faces touch themselves.
@@ -94,7 +120,8 @@ impl Shape {
     /// *Cost*: linear.
     pub fn triangulated(&self) -> Result<Shape, ShapeError> {
         let faces = self.mesh.faces();
-        let mut builder = MeshBuilder::with_room(&[faces.corner_count(), 3])?;
+        let mut builder =
+            MeshBuilder::with_room(&[faces.corner_count().saturating_sub(2 * faces.face_count()), 3])?;
         builder.points(self.mesh.positions().iter().copied());
         for face in faces.faces() {
             if let [first, rest @ ..] = faces.face_vertices(face) {

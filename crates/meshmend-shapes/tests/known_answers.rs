@@ -212,6 +212,22 @@ fn the_too_large_is_refused_before_it_is_made() {
     assert!(matches!(out_and_back(usize::MAX), Err(ShapeError::TooLarge(_))));
 }
 
+/// What would be too large after all refinements is refused before the first.
+#[test]
+fn too_many_refinements_are_refused_before_the_first() {
+    for generator in GENERATORS {
+        let shape = generator.make(&Sizes::default()).unwrap();
+        for times in [15, 16, 31, 32, 40, 63, 64, 1 << 20, 1 << 32, usize::MAX] {
+            let refused = shape.refined_times(times).unwrap_err();
+            assert!(matches!(refused, ShapeError::TooLarge(_)), "{} {times}: {refused}", generator.name);
+        }
+        let (once, twice) = (shape.refined_times(1).unwrap(), shape.refined().unwrap().refined().unwrap());
+        assert_eq!(once.name, shape.refined().unwrap().name);
+        assert_eq!(shape.refined_times(2).unwrap().truth, twice.truth);
+        assert_eq!(shape.refined_times(0).unwrap().truth, shape.truth);
+    }
+}
+
 fn corners(mesh: &PolygonMesh) -> Vec<[[f64; 3]; 3]> {
     let faces: &FaceTable = mesh.faces();
     let points = |face| {

@@ -80,10 +80,8 @@ impl Make {
 
     fn shape(&self, generator: &Generator, in_triangles: bool) -> Result<Shape, ShapeError> {
         let SizeWords { resolution, count, genus, cross_caps, holes } = self.sizes;
-        let mut shape = generator.make(&Sizes { resolution, count, genus, cross_caps, holes })?;
-        for _ in 0..self.refine {
-            shape = shape.refined()?;
-        }
+        let shape = generator.make(&Sizes { resolution, count, genus, cross_caps, holes })?;
+        let shape = shape.refined_times(self.refine)?;
         if in_triangles { shape.triangulated() } else { Ok(shape) }
     }
 }

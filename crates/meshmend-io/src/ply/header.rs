@@ -1,6 +1,7 @@
 //! The header: which elements there are, with which properties, and where their values begin.
 
 use crate::assemble::Parts;
+use crate::limits::DECLARATIONS;
 use crate::ply::scalar::Scalar;
 use crate::read::Source;
 use crate::text::{self, comment_text, shown};
@@ -43,7 +44,7 @@ pub(super) fn sniff(bytes: &[u8]) -> bool {
 
 /// Reads the header; comments go to the metadata of the parts.
 pub(super) fn read(source: &Source<'_>, parts: &mut Parts, limits: &Limits) -> Result<Header, ReadError> {
-    let mut reader = HeaderReader { source, form: None, elements: Vec::new() };
+    let mut reader = HeaderReader { source, form: None, elements: Vec::new(), declarations: 0 };
     let (first, mut at) = next_line(source.bytes, 0, true);
     if text::trimmed(first) != b"ply" {
         return Err(source.malformed(Place::Line(1), "a PLY file begins with the line `ply`"));
@@ -62,7 +63,10 @@ pub(super) fn read(source: &Source<'_>, parts: &mut Parts, limits: &Limits) -> R
                 let key = if key == b"comment" { "comment" } else { "obj_info" };
                 parts.keep_statement(key, comment_text(after), limits, || source.line(start));
             }
-            Some(_) => reader.declare(&words, start)?,
+            Some(_) => {
+                reader.declare(&words, start)?;
+                source.limited(DECLARATIONS, reader.declarations, limits.max_declarations)?;
+            }
             None => {}
         }
     }
@@ -79,6 +83,8 @@ struct HeaderReader<'a> {
     source: &'a Source<'a>,
     form: Option<Form>,
     elements: Vec<Element>,
+    /// How many elements and properties there are.
+    declarations: u64,
 }
 
 impl HeaderReader<'_> {
@@ -115,6 +121,7 @@ impl HeaderReader<'_> {
         if is_known && self.elements.iter().any(|element| element.name == name) {
             return Err(self.wrong(at, format!("a second element `{name}`")));
         }
+        self.declarations += 1;
         self.elements.push(Element { name, count, properties: Vec::new(), at });
         Ok(())
     }
@@ -135,6 +142,7 @@ impl HeaderReader<'_> {
             None => Err(self.wrong(at, "a property before the first element".to_owned())),
             Some(element) => {
                 element.properties.push(Property { name, length, item });
+                self.declarations += 1;
                 Ok(())
             }
         }

@@ -10,6 +10,9 @@ use crate::ply::layers::{interleaved, is_usual};
 use crate::ply::scalar::Scalar;
 use crate::ply::{CORNER_PREFIX, GROUPS, Group, PROPERTY_NAMES};
 
+/// The list of a face that is a corner layer without saying so by its name.
+const TEXCOORD: &str = "texcoord";
+
 /// The rows of an element that became vertices or faces.
 pub(super) struct Rows<'a> {
     pub(super) element: &'a Element,
@@ -79,8 +82,12 @@ impl Rows<'_> {
             return None;
         }
         // Two layers of one name could not be told apart: then the numbers stay single, under their own names.
+        // Few names belong to a group, so that all properties are looked through for few of them.
+        let name = self.element.properties[column].name.as_str();
         let mut groups = GROUPS.iter().filter(|group| {
-            !self.has_property(group.layer, domain) && !has_layer(parts, group.layer, domain)
+            group.members.contains(&name)
+                && !self.has_property(group.layer, domain)
+                && !has_layer(parts, group.layer, domain)
         });
         let Some((group, members)) = groups.find_map(|group| Some((group, self.members(group, column)?)))
         else {
@@ -124,7 +131,9 @@ impl Rows<'_> {
     /// The corner layer that a list property of faces is, if there is none of its name yet.
     fn corner_layer(&mut self, column: usize, parts: &Parts) -> Option<Layer> {
         let (name, width) = self.corner_list(column)?;
-        if self.is_taken[column] || has_layer(parts, name, Domain::Corner) {
+        // Properties have different names; only this one can be spelled in two ways.
+        let may_be_there = name == TEXCOORD;
+        if self.is_taken[column] || (may_be_there && has_layer(parts, name, Domain::Corner)) {
             return None;
         }
         let name = name.to_owned();
@@ -143,9 +152,9 @@ impl Rows<'_> {
     /// fit.
     fn corner_list(&self, column: usize) -> Option<(&str, usize)> {
         let property = &self.element.properties[column];
-        let is_texcoord = property.name == "texcoord";
+        let is_texcoord = property.name == TEXCOORD;
         let name = match property.name.strip_prefix(CORNER_PREFIX) {
-            None if is_texcoord => "texcoord",
+            None if is_texcoord => TEXCOORD,
             name => name?,
         };
         let Values::Lists { starts, .. } = &self.columns.values[column] else { return None };
