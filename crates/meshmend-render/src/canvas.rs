@@ -102,6 +102,9 @@ impl Canvas {
             let y = row as f64 + 0.5;
             let [first, last] = columns_near(from, way, y, border);
             for column in span(first - border, last + border, self.width) {
+                if self.is_covered(column, row) {
+                    continue;
+                }
                 let off = [column as f64 + 0.5 - from[0], y - from[1]];
                 let along = if square > 0.0 { (off[0] * way[0] + off[1] * way[1]) / square } else { 0.0 };
                 let along = along.clamp(0.0, 1.0);
@@ -109,6 +112,11 @@ impl Canvas {
                 self.cover(column, row, (half + 0.5 - distance).min(1.0) * strength);
             }
         }
+    }
+
+    /// Whether a pixel can't be covered more than it is, as where very many lines cross.
+    fn is_covered(&self, column: usize, row: usize) -> bool {
+        column < self.width && row < self.height && self.covered[row * self.width + column] == u8::MAX
     }
 
     fn cover(&mut self, column: usize, row: usize, part: f64) {

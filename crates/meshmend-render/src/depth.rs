@@ -6,6 +6,9 @@
 //! at which a face begins and whichever way it runs. A face whose sides cross in the picture is filled by the even-odd
 //! rule.
 
+use meshmend_core::FaceId;
+
+use crate::occlusion::{Nearness, Plane, TILE, Tiles};
 use crate::vector::Vector;
 
 /// The nearest face at each sample, and how near it is.
@@ -18,6 +21,7 @@ pub(crate) struct DepthBuffer {
     nearness: Vec<f32>,
     owner: Vec<u32>,
     crossings: Vec<Crossing>,
+    tiles: Tiles,
 }
 
 /// Where a side of a face crosses a row of samples.
@@ -48,6 +52,7 @@ impl DepthBuffer {
             nearness: vec![f32::NEG_INFINITY; columns * rows],
             owner: vec![NOTHING; columns * rows],
             crossings: Vec::new(),
+            tiles: Tiles::new(columns, rows),
         }
     }
 
@@ -64,39 +69,95 @@ impl DepthBuffer {
         &self.owner
     }
 
-    /// Paints a face with its corners in the panel's pixels. Of equally near faces the one painted first stays.
-    ///
-    /// *Cost*: the corners, the rows that each side crosses, with a logarithm, and the samples covered.
-    pub(crate) fn paint(&mut self, face: u32, corners: &[Vector]) {
+    /// How many samples there are.
+    pub(crate) fn samples(&self) -> usize {
+        self.owner.len()
+    }
+
+    /// How many samples the box around some corners covers.
+    pub(crate) fn samples_around(&self, corners: &[Vector]) -> usize {
+        let [[left, right], [top, bottom]] = self.samples_of(corners);
+        (right - left) * (bottom - top)
+    }
+
+    /// The columns and rows of samples of the box around some corners.
+    fn samples_of(&self, corners: &[Vector]) -> [[usize; 2]; 2] {
         let density = self.density as f64;
-        let (low, high) = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), corner| {
-            (low.min(corner[1] * density), high.max(corner[1] * density))
-        });
-        let (first, end) = (sample_from(low, self.rows), sample_from(high, self.rows));
-        let band = (CROSSINGS_AT_ONCE / corners.len().max(1)).max(1);
-        for top in (first..end).step_by(band) {
-            let mut crossings = std::mem::take(&mut self.crossings);
-            find_crossings(corners, density, top..end.min(top + band), &mut crossings);
-            crossings.sort_unstable_by(|one, other| {
-                one.row.cmp(&other.row).then(one.x.total_cmp(&other.x)).then(one.near.total_cmp(&other.near))
+        [(0, self.columns), (1, self.rows)].map(|(axis, most)| {
+            let places = corners.iter().map(|corner| corner[axis] * density);
+            let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
+                (low.min(place), high.max(place))
             });
-            crossings.as_chunks().0.iter().for_each(|&[from, to]| self.fill(face, from, to));
-            self.crossings = crossings;
+            [sample_from(low, most), sample_from(high, most)]
+        })
+    }
+
+    /// Paints a face with its corners in the panel's pixels. Of equally near faces the one of the lower number stays,
+    /// whatever the order in which they are painted.
+    ///
+    /// *Cost*: the corners, the rows that each side crosses, with a logarithm, and the samples covered, apart from those
+    /// in tiles where the face is behind others.
+    pub(crate) fn paint(&mut self, face: u32, corners: &[Vector]) {
+        let [columns, [first, end]] = self.samples_of(corners);
+        let is_large = columns[1] - columns[0] > TILE && end - first > TILE;
+        let plane = if is_large { self.plane(corners) } else { None };
+        let most = (CROSSINGS_AT_ONCE / corners.len().max(1)).max(1);
+        let mut top = first;
+        while top < end {
+            let row = top / TILE;
+            let bottom = end.min((row + 1) * TILE).min(top + most);
+            let nearness = Nearness { columns: self.columns, values: &self.nearness };
+            if !self.tiles.find_open(row, columns, plane, &nearness).is_empty() {
+                self.paint_rows(face, corners, top..bottom);
+                self.tiles.finish(row, columns, plane);
+            }
+            top = bottom;
         }
+    }
+
+    fn plane(&self, corners: &[Vector]) -> Option<Plane> {
+        let density = self.density as f64;
+        let in_samples: Vec<Vector> =
+            corners.iter().map(|&[x, y, near]| [x * density, y * density, near]).collect();
+        Plane::of(&in_samples)
+    }
+
+    fn paint_rows(&mut self, face: u32, corners: &[Vector], rows: std::ops::Range<usize>) {
+        let mut crossings = std::mem::take(&mut self.crossings);
+        find_crossings(corners, self.density as f64, rows, &mut crossings);
+        crossings.sort_unstable_by(|one, other| {
+            one.row.cmp(&other.row).then(one.x.total_cmp(&other.x)).then(one.near.total_cmp(&other.near))
+        });
+        crossings.as_chunks().0.iter().for_each(|&[from, to]| self.fill(face, from, to));
+        self.crossings = crossings;
     }
 
     fn fill(&mut self, face: u32, from: Crossing, to: Crossing) {
         let (first, end) = (sample_from(from.x, self.columns), sample_from(to.x, self.columns));
         let slope = (to.near - from.near) / (to.x - from.x);
         let start = from.row as usize * self.columns;
-        for column in first..end {
-            let near = (from.near + slope * (column as f64 + 0.5 - from.x)) as f32;
-            let sample = start + column;
-            if near > self.nearness[sample] {
-                self.nearness[sample] = near;
-                self.owner[sample] = face;
+        for place in 0..self.tiles.open().len() {
+            let [open, close] = self.tiles.open()[place];
+            let (first, end) = (first.max(open), end.min(close));
+            for column in first..end {
+                let near = (from.near + slope * (column as f64 + 0.5 - from.x)) as f32;
+                let sample = start + column;
+                let (nearest, owner) = (self.nearness[sample], self.owner[sample]);
+                if near > nearest || (near == nearest && face < owner) {
+                    self.nearness[sample] = near;
+                    self.owner[sample] = face;
+                }
+            }
+            if first < end {
+                self.tiles.cover(from.row as usize, first, end);
             }
         }
+    }
+
+    /// Puts for each number under which faces were painted the face that it stands for.
+    pub(crate) fn rename(&mut self, faces: &[FaceId]) {
+        let owned = self.owner.iter_mut().filter(|owner| **owner != NOTHING);
+        owned.for_each(|owner| *owner = faces[*owner as usize].0);
     }
 
     /// The nearest face at a place in the panel's pixels; nothing where there is none.

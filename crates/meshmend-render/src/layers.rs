@@ -8,7 +8,7 @@ use crate::chains::{Chains, Direction};
 use crate::depth::DepthBuffer;
 use crate::legend::{Entry, Shape, Swatch};
 use crate::overlay::{Overlay, component_count};
-use crate::sight::{Sighted, places_along, places_every, step_length};
+use crate::sight::{Sighted, length_in_panel, places_along, places_every, step_length};
 use crate::vector::{Vector, add, mean, scaled};
 
 /// A mesh as it lies in a panel.
@@ -59,9 +59,11 @@ impl Layer {
         Layer { ink, lines: Sighted::default(), marks: Vec::new(), labels: Vec::new() }
     }
 
-    fn of_paths(ink: Ink, view: &View<'_>, paths: impl Iterator<Item = Vec<Vector>>) -> Self {
+    /// A line along paths.
+    pub(crate) fn of_paths(ink: Ink, buffer: &DepthBuffer, paths: &[Vec<Vector>]) -> Self {
         let mut layer = Layer::empty(ink);
-        paths.for_each(|path| layer.lines.add(view.buffer, &path));
+        layer.lines = Sighted::of_length(length_in_panel(paths.iter().map(Vec::as_slice)));
+        paths.iter().for_each(|path| layer.lines.add(buffer, path));
         layer
     }
 }
@@ -151,7 +153,7 @@ impl View<'_> {
             }
             points
         };
-        Layer::of_paths(ink, self, chains.iter().map(path))
+        Layer::of_paths(ink, self.buffer, &chains.iter().map(path).collect::<Vec<_>>())
     }
 
     /// A line through the middles of faces and of the edges that join them.
@@ -163,10 +165,13 @@ impl View<'_> {
             faces.collect::<Vec<FaceId>>()
         };
         let mut layer = Layer::empty(appearance::COTREE);
+        // A face may have as many corners as there are edges to it, and its middle is found once.
+        let mut middles: Vec<Option<Option<Vector>>> = vec![None; complex.faces().face_count()];
         for &edge in edges {
             let Some(middle) = self.edge_middle(edge) else { continue };
             for face in faces_along(edge) {
-                if let Some(centre) = self.face_middle(face) {
+                let centre = middles[face.index()].get_or_insert_with(|| self.face_middle(face));
+                if let Some(centre) = *centre {
                     layer.lines.add_on(self.buffer, &[centre, middle], &[face.0]);
                 }
             }
@@ -206,8 +211,7 @@ impl View<'_> {
         let layer = |(number, vertices): (usize, &Vec<VertexId>)| {
             let round = vertices.iter().chain(vertices.first());
             let points = round.filter(|&&v| self.is_placed(v)).map(|v| self.placed[v.index()]);
-            let mut layer =
-                Layer::of_paths(appearance::generator(number), self, std::iter::once(points.collect()));
+            let mut layer = Layer::of_paths(appearance::generator(number), self.buffer, &[points.collect()]);
             if let Some(at) = label_place(&layer.lines, &taken).filter(|_| loops.len() > 1) {
                 taken.push(at);
                 layer.labels.push(Label { at, text: number.to_string() });

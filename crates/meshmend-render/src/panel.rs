@@ -8,9 +8,10 @@ use crate::frame::{Bounds, Frame, Rectangle};
 use crate::layers::{Label, Layer, Mark, View, entries, layers};
 use crate::legend::{Entry, Shape, Swatch};
 use crate::overlay::{Overlay, component_count};
+use crate::painting::paint_faces;
 use crate::scene::{Outlines, Scene};
-use crate::shade::{component_of_face, side_of, tones};
-use crate::sight::Polylines;
+use crate::shade::{component_of_face, tones};
+use crate::sight::{Polylines, Sighted, length_in_panel};
 use crate::vector::Vector;
 
 /// A scene in its rectangle of the picture, ready to be written.
@@ -119,13 +120,13 @@ impl Panel {
 
     /// The seen parts of the edges of all faces.
     fn outlines(&self) -> Layer {
-        let mut layer = Layer::empty(appearance::FACE_OUTLINE);
         let view = self.view();
-        for ends in self.mesh.complex().edges().all_ends() {
-            if ends.iter().all(|&end| view.is_placed(end)) {
-                layer.lines.add(&self.buffer, &ends.map(|end| self.placed[end.index()]));
-            }
-        }
+        let edges = self.mesh.complex().edges().all_ends().iter();
+        let placed = edges.filter(|ends| ends.iter().all(|&end| view.is_placed(end)));
+        let lines: Vec<[Vector; 2]> = placed.map(|ends| ends.map(|end| self.placed[end.index()])).collect();
+        let mut layer = Layer::empty(appearance::FACE_OUTLINE);
+        layer.lines = Sighted::of_length(length_in_panel(lines.iter().map(|line| &line[..])));
+        lines.iter().for_each(|line| layer.lines.add(&self.buffer, line));
         layer.lines.hidden = Polylines::default();
         layer
     }
@@ -254,26 +255,6 @@ pub(crate) fn possible_entries(scene: &Scene) -> Vec<Entry> {
         all.push(back_entry());
     }
     all
-}
-
-/// Paints fronts first, so that of two faces in one place the front is seen; lists the faces that are not finite.
-fn paint_faces(mesh: &PolygonMesh, placed: &[Vector], buffer: &mut DepthBuffer) -> Vec<FaceId> {
-    let faces = mesh.complex().faces();
-    let (mut corners, mut left_out) = (Vec::new(), Vec::new());
-    for side in [Side::Front, Side::Back] {
-        for face in faces.faces() {
-            corners.clear();
-            corners.extend(faces.face_vertices(face).iter().map(|v| placed[v.index()]));
-            if corners.iter().any(|corner| !corner[0].is_finite()) {
-                if side == Side::Front {
-                    left_out.push(face);
-                }
-            } else if side_of(&corners) == side {
-                buffer.paint(face.0, &corners);
-            }
-        }
-    }
-    left_out
 }
 
 /// The box around what a scene shows, in space.

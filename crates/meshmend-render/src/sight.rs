@@ -51,14 +51,20 @@ impl Polylines {
 }
 
 /// Paths, cut into what is seen and what is hidden.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Sighted {
     pub(crate) seen: Polylines,
     pub(crate) hidden: Polylines,
+    /// How often the paths are looked at, in pixels.
+    step: f64,
 }
 
 /// A path is looked at this often, in pixels.
 const STEP: f64 = 0.5;
+
+/// All paths together are not looked at more often than this, apart from once for each of their pieces: where there is
+/// so much of lines, single ones are not told apart.
+const MOST_LOOKS: f64 = 4e6;
 
 /// What shows or vanishes for less than this, in pixels, does not.
 const SHORTEST: f64 = 2.0;
@@ -74,7 +80,19 @@ struct Stretch {
     points: Vec<[f64; 2]>,
 }
 
+impl Default for Sighted {
+    fn default() -> Self {
+        Sighted::of_length(0.0)
+    }
+}
+
 impl Sighted {
+    /// No paths yet, of those that are so long in all, in pixels.
+    pub(crate) fn of_length(length: f64) -> Self {
+        let step = STEP.max(length / MOST_LOOKS);
+        Sighted { seen: Polylines::default(), hidden: Polylines::default(), step }
+    }
+
     /// Cuts a path in the panel's pixels where it goes behind faces and where it comes out again.
     ///
     /// *Cost*: the path's length in pixels, and its points.
@@ -86,7 +104,7 @@ impl Sighted {
     pub(crate) fn add_on(&mut self, buffer: &DepthBuffer, path: &[Vector], faces: &[u32]) {
         let Some(first) = path.first() else { return };
         let mut last = flat(*first);
-        for stretch in stretches(buffer, path, faces) {
+        for stretch in stretches(buffer, path, faces, self.step) {
             let side = if stretch.is_seen { &mut self.seen } else { &mut self.hidden };
             side.push(last);
             stretch.points.iter().for_each(|&point| side.push(point));
@@ -96,21 +114,21 @@ impl Sighted {
     }
 }
 
-fn stretches(buffer: &DepthBuffer, path: &[Vector], faces: &[u32]) -> Vec<Stretch> {
+fn stretches(buffer: &DepthBuffer, path: &[Vector], faces: &[u32], step: f64) -> Vec<Stretch> {
     let mut found: Vec<Stretch> = Vec::new();
     let faces = faces.iter().copied().chain(std::iter::repeat(NOTHING));
     for (pair, face) in path.windows(2).zip(faces) {
         let (from, way) = (pair[0], subtract(pair[1], pair[0]));
         let length = way[0].hypot(way[1]);
-        let steps = (length / STEP).ceil().clamp(1.0, MOST_STEPS);
-        for step in 0..steps as usize {
-            let at = |part: f64| add(from, scaled(way, (step as f64 + part) / steps));
+        let steps = (length / step).ceil().clamp(1.0, MOST_STEPS);
+        for done in 0..steps as usize {
+            let at = |part: f64| add(from, scaled(way, (done as f64 + part) / steps));
             let (is_seen, end) = (buffer.is_seen_on(face, at(0.5)), flat(at(1.0)));
             match found.last_mut() {
                 Some(last) if last.is_seen == is_seen => {
                     last.length += length / steps;
                     // Along a straight line the end moves on.
-                    if step > 0 {
+                    if done > 0 {
                         last.points.pop();
                     }
                     last.points.push(end);
@@ -148,6 +166,12 @@ fn flat(point: Vector) -> [f64; 2] {
 /// How far it is from one point to the next.
 pub(crate) fn step_length(pair: &[[f64; 2]]) -> f64 {
     (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1])
+}
+
+/// How long paths are in the panel, all together.
+pub(crate) fn length_in_panel<'a>(paths: impl Iterator<Item = &'a [Vector]>) -> f64 {
+    let step = |pair: &[Vector]| step_length(&[flat(pair[0]), flat(pair[1])]);
+    paths.flat_map(|path| path.windows(2)).map(step).filter(|length| length.is_finite()).sum()
 }
 
 fn length_of(path: &[[f64; 2]]) -> f64 {
