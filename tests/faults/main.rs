@@ -10,10 +10,14 @@
 
 #[cfg(target_os = "linux")]
 mod calls;
+#[cfg(target_os = "linux")]
+mod endless;
 #[cfg(unix)]
 mod kills;
 #[cfg(target_os = "linux")]
 mod memory;
+#[cfg(target_os = "linux")]
+mod signals;
 mod sinks;
 
 #[cfg(unix)]

@@ -5,6 +5,7 @@ use std::fmt;
 use std::process::{Command, Output};
 
 use cap::Cap;
+use cpu_time::ProcessTime;
 use meshmend_core::PolygonMesh;
 
 use crate::families::Family;
@@ -22,18 +23,26 @@ pub(crate) enum Meter {
 /// What some work cost.
 #[derive(Clone, Debug)]
 pub(crate) struct Cost {
-    corners: u64,
+    /// The corners of the mesh, its layers and its comments.
+    size: u64,
     /// The most memory that was in use.
     peak: u64,
     /// All memory that was ever asked for, which some work does for most steps that it makes.
     allocated: u64,
     instructions: Option<u64>,
+    /// Time of the processor, in seconds.
+    time: f64,
 }
 
-/// Prints for the process that asked what was allocated for a mesh and the work on it.
+/// Prints for the process that asked what was allocated for a mesh and the work on it, and how long that took.
 pub(crate) fn print(mesh: &PolygonMesh, allocator: &Cap<System>) {
-    println!("{} {} {}", mesh.counts().corners, allocator.max_allocated(), allocator.total_allocated());
+    let micros = ProcessTime::now().as_duration().as_micros();
+    let size = mesh.counts().corners + mesh.layers().len() + mesh.metadata().len();
+    println!("{size} {} {} {micros}", allocator.max_allocated(), allocator.total_allocated());
 }
+
+/// A cost in time is compared only where it is at least this, in seconds: below, other work on the machine decides.
+const LEAST_TIME: f64 = 1.0;
 
 impl Cost {
     /// The cost of making a mesh and of some work on it.
@@ -58,14 +67,15 @@ impl Cost {
     fn told(output: &Output, instructions: Option<u64>) -> Self {
         let text = String::from_utf8_lossy(&output.stdout);
         let figures: Vec<u64> = text.split_whitespace().map_while(|figure| figure.parse().ok()).collect();
-        let &[corners, peak, allocated] = &figures[..] else { panic!("no figures in {text:?}") };
-        Cost { corners, peak, allocated, instructions }
+        let &[size, peak, allocated, micros] = &figures[..] else { panic!("no figures in {text:?}") };
+        Cost { size, peak, allocated, instructions, time: micros as f64 * 1e-6 }
     }
 
     /// What was done beyond making the mesh.
     pub(crate) fn beyond(self, made: &Cost) -> Self {
         let instructions = self.instructions.zip(made.instructions).map(|(all, made)| all - made);
-        Cost { allocated: self.allocated - made.allocated, instructions, ..self }
+        let time = (self.time - made.time).max(0.0);
+        Cost { allocated: self.allocated - made.allocated, instructions, time, ..self }
     }
 }
 
@@ -92,7 +102,7 @@ impl Comparison<'_> {
     /// How many times as much peak memory, memory in all and instructions are taken where there is just twice as much.
     pub(crate) fn growths(&self) -> [Option<f64>; 3] {
         let [less, more] = &self.costs;
-        let doublings = (more.corners as f64 / less.corners as f64).log2();
+        let doublings = (more.size as f64 / less.size as f64).log2();
         let growth = |less: u64, more: u64| (more as f64 / less as f64).powf(1.0 / doublings);
         let instructions = less.instructions.zip(more.instructions);
         [
@@ -103,12 +113,21 @@ impl Comparison<'_> {
     }
 }
 
+impl Comparison<'_> {
+    /// How many times as much time is taken where there is just twice as much, if it is enough to be measured.
+    pub(crate) fn growth_in_time(&self) -> Option<f64> {
+        let [less, more] = &self.costs;
+        let doublings = (more.size as f64 / less.size as f64).log2();
+        (more.time >= LEAST_TIME).then(|| (more.time / less.time).powf(1.0 / doublings))
+    }
+}
+
 impl fmt::Display for Comparison<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let cost = &self.costs[1];
-        let a_corner = |n: u64| format!("{:.0}", n as f64 / cost.corners as f64);
+        let a_corner = |n: u64| format!("{:.0}", n as f64 / cost.size as f64);
         let instructions = cost.instructions.map_or("–".to_owned(), a_corner);
-        let (family, work, corners) = (self.family.name, self.work.name(), cost.corners);
+        let (family, work, corners) = (self.family.name, self.work.name(), cost.size);
         write!(f, "| {family} | {work} | {corners} | {} | {instructions} |", a_corner(cost.peak))?;
         let word = |growth: Option<f64>| growth.map_or("–".to_owned(), |growth| format!("{growth:.2}"));
         self.growths().into_iter().try_for_each(|growth| write!(f, " {} |", word(growth)))

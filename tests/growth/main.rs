@@ -3,8 +3,10 @@
 //! Each family is made at one size and at about twice that. A cost grows too fast if twice the size takes more than
 //! [`MOST_GROWTH`] times as much: n log n takes 2.1 times as much at these sizes, n √n takes 2.8.
 //!
-//! * As a test: memory, at its peak and allocated in all, on small meshes.
-//! * With a size: instructions as well, which needs valgrind. Names of work may follow: check, repair, cut, pinch-only.
+//! * As a test: memory, at its peak and allocated in all, on small meshes; and time, where it is long enough to be
+//!   measured, which on small meshes it is only where something grows with the square.
+//! * With a size: instructions as well, which needs valgrind. Names of work may follow, such as check, repair, cut,
+//!   pinch-only, outward-nested, files, render.
 //!   `cargo test --release -p meshmend-tests --test growth -- 500000`
 //!
 //! Each figure is of a process of its own on one thread, so it is the same every time.
@@ -24,6 +26,8 @@ static ALLOCATOR: cap::Cap<std::alloc::System> = cap::Cap::new(std::alloc::Syste
 
 /// How much more may be taken where there is twice as much.
 const MOST_GROWTH: f64 = 2.3;
+/// The same for time, which varies.
+const MOST_GROWTH_IN_TIME: f64 = 3.0;
 /// How many faces or corners the smaller mesh of a test has, about.
 const SMALL: usize = 10_000;
 
@@ -50,6 +54,11 @@ fn compare(size: usize, meter: Meter, works: &[Work]) -> bool {
             let comparison = Comparison { family, work, costs };
             println!("{comparison}");
             is_well &= comparison.growths().into_iter().flatten().all(|growth| growth <= MOST_GROWTH);
+            let in_time = comparison.growth_in_time().filter(|growth| *growth > MOST_GROWTH_IN_TIME);
+            if let Some(growth) = in_time {
+                println!("{}, {}: {growth:.2} times the time", family.name, work.name());
+                is_well = false;
+            }
         }
     }
     is_well

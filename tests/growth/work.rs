@@ -1,8 +1,12 @@
 //! What is done with a mesh.
 
 use meshmend_core::{Connectivity, PolygonMesh};
+use meshmend_io::{Format, Limits, ReadOptions, WriteOptions, encode, read_bytes};
 use meshmend_kernels::{KernelKind, KernelTask};
-use meshmend_repair::{Plan, SplitEdges, TriangulateFaces};
+use meshmend_render::{
+    Camera, Outlines, Scene, Size, boundary, components, inconsistent, non_manifold, witness,
+};
+use meshmend_repair::{Plan, Side, SplitEdges, TriangulateFaces};
 use meshmend_topology::{TopologyReport, topology};
 
 /// What is done with a mesh.
@@ -20,12 +24,26 @@ pub(crate) enum Work {
     PinchOnly,
     /// The pipeline that cuts all faces into triangles.
     Triangulate,
+    /// The pipeline that turns shells by how they are nested.
+    OutwardNested,
+    /// Writing every format in every encoding, and reading that again.
+    Files,
+    /// A picture of what is wrong, written in both formats.
+    Render,
 }
 
 impl Work {
     /// All that is compared.
-    pub(crate) const ALL: [Work; 5] =
-        [Work::Check, Work::Repair, Work::Cut, Work::PinchOnly, Work::Triangulate];
+    pub(crate) const ALL: [Work; 8] = [
+        Work::Check,
+        Work::Repair,
+        Work::Cut,
+        Work::PinchOnly,
+        Work::Triangulate,
+        Work::OutwardNested,
+        Work::Files,
+        Work::Render,
+    ];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -35,6 +53,9 @@ impl Work {
             Work::Cut => "cut",
             Work::PinchOnly => "pinch-only",
             Work::Triangulate => "triangulate",
+            Work::OutwardNested => "outward-nested",
+            Work::Files => "files",
+            Work::Render => "render",
         }
     }
 
@@ -61,6 +82,9 @@ impl Work {
             Work::Cut => repair(mesh, |plan| plan.split.edges = SplitEdges::Cut),
             Work::PinchOnly => repair(mesh, |plan| plan.split.edges = SplitEdges::PinchOnly),
             Work::Triangulate => repair(mesh, |plan| plan.triangulate.faces = TriangulateFaces::All),
+            Work::OutwardNested => repair(mesh, |plan| plan.orient.side = Side::OutwardNested),
+            Work::Files => files(mesh),
+            Work::Render => render(mesh),
         }
     }
 }
@@ -69,6 +93,28 @@ fn repair(mesh: &PolygonMesh, choose: impl FnOnce(&mut Plan)) {
     let mut plan = Plan::default();
     choose(&mut plan);
     plan.pipeline().run(mesh).expect("these policies take any mesh");
+}
+
+fn files(mesh: &PolygonMesh) {
+    for (format, encoding) in Format::ALL.iter().flat_map(|&f| f.encodings().iter().map(move |&e| (f, e))) {
+        let mut bytes = Vec::new();
+        let options = WriteOptions::of(format).with_encoding(encoding);
+        encode(mesh, &options, &mut bytes).expect("any mesh can be written");
+        let limits = Limits { max_declarations: u64::MAX, ..Limits::default() };
+        let options = ReadOptions { format: Some(format), limits };
+        read_bytes(&bytes, "mesh", &options).expect("what was written can be read");
+    }
+}
+
+fn render(mesh: &PolygonMesh) {
+    let camera = Camera::from_angles(-45.0, 30.0).expect("a direction");
+    let overlays =
+        vec![boundary(mesh), non_manifold(mesh), inconsistent(mesh), witness(mesh), components(mesh)];
+    let scene = Scene { mesh: mesh.clone(), camera, outlines: Outlines::Drawn, overlays, caption: None };
+    let size = Size::new(400, 300).expect("a size of pictures");
+    let picture = meshmend_render::render(&scene, size).expect("overlays of the mesh");
+    picture.write_png(&mut std::io::sink()).expect("a sink takes all");
+    picture.write_svg(&mut std::io::sink()).expect("a sink takes all");
 }
 
 struct Report<'a>(&'a PolygonMesh);
