@@ -48,6 +48,7 @@ mod shell;
 mod sink;
 mod stl;
 mod text;
+mod texture_numbers;
 mod write;
 
 pub use atomic::{abandon_temporary_files, replace_file, target_of};

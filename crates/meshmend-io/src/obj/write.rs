@@ -20,6 +20,7 @@ const STATEMENTS: [(&str, &str); 2] = [(COMMENT, "#"), ("mtllib", "mtllib")];
 
 /// Colours and weights are written with the vertices.
 pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
+    prepared.name_textures()?;
     prepared.split_seams(|layer| match layer.name() {
         "color" => is_color(layer),
         "weight" => has_fractions(layer) && layer.width() == 1,

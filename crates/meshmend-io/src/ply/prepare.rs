@@ -8,6 +8,7 @@ use crate::{Prepared, WriteErrorKind};
 /// Values take the types that other programs read; normals go to the vertices, and so do texture coordinates where no vertex
 /// has to be split for them, or some face is no triangle.
 pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
+    prepared.number_textures()?;
     let is_concerned = to_be_expected(prepared);
     as_expected(prepared, &is_concerned)?;
     let places = |prepared: &Prepared, is_wanted: &dyn Fn(&Layer, bool) -> bool| -> Vec<usize> {

@@ -214,3 +214,24 @@ fn properties_of_edges_follow_their_edge() {
     assert_eq!(layer(&file.mesh, "weight", Domain::LooseEdge).values(), &Values::F32(vec![0.5]));
     assert!(file.notes.iter().all(|note| !note.message.contains("loose edges")));
 }
+
+#[test]
+fn texture_numbers_are_materials_in_an_obj_and_come_back() {
+    let ply = "ply\nformat ascii 1.0\ncomment TextureFile a.png\ncomment TextureFile b.png\nelement vertex 3\n\
+               property float x\nproperty float y\nproperty float z\nelement face 3\n\
+               property list uchar int vertex_indices\nproperty int texnumber\nend_header\n\
+               0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1\n3 1 2 0 0\n3 2 0 1 -1\n";
+    let (obj, losses) = as_text(&read(Format::Ply, ply), WriteOptions::of(Format::Obj));
+    let expected = "usemtl texture_1\nf 1 2 3\nusemtl texture_0\nf 2 3 1\n";
+    assert!(obj.contains(expected) && obj.contains("TextureFile a.png"), "{obj}");
+    assert_eq!(kinds(&losses), [(LossKind::Converted, 2)]);
+    let (again, losses) = from_obj(&obj);
+    assert!(
+        again.contains("property int texnumber\n") && again.contains("comment TextureFile b.png\n"),
+        "{again}"
+    );
+    assert!(again.ends_with("3 0 1 2 1\n3 1 2 0 0\n3 2 0 1 -1\n") && losses.is_empty(), "{again} {losses:?}");
+    let (other, losses) = from_obj(&obj.replace("texture_1", "wood"));
+    assert!(!other.contains("texnumber"));
+    assert_eq!(kinds(&losses), [(LossKind::Layer, 2)]);
+}
