@@ -177,7 +177,11 @@ fn faults(mesh: &PolygonMesh, soup: &Soup, holes: &[u32]) -> Vec<String> {
     for &hole in holes.iter().filter(|&&hole| !spared.contains(&FaceId(hole))) {
         let faces = cleaned.mesh.faces();
         let pieces = faces.faces().filter(|&f| cleaned.provenance.faces.of(f) == Some(FaceId(hole)));
-        let lowest = |v: &VertexId| cleaned.provenance.vertices.of(*v).unwrap().0;
+        // A vertex is named after the lowest one behind a corner that is left, which need not be the lowest in its place.
+        let lowest = |v: &VertexId| {
+            let place = cleaned.mesh.position(*v);
+            soup.positions.iter().position(|&position| position == place).unwrap() as u32
+        };
         let pieces: Vec<Vec<u32>> =
             pieces.map(|f| faces.face_vertices(f).iter().map(lowest).collect()).collect();
         let word = reference::word_of(&positions, &soup.faces[hole as usize]);

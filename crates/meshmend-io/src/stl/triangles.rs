@@ -112,7 +112,9 @@ impl Found {
         let cut = Loss::if_any(LossKind::Polygons, self.polygons - self.empty, |n| {
             let mut message = format!("{n} {} of more than three corners: cut into triangles", faces(n));
             if self.with_holes > 0 {
-                message.push_str(&format!(", holes in {} of them left open", self.with_holes));
+                let holes = if self.with_holes == 1 { "a hole" } else { "holes" };
+                let (count, faces) = (self.with_holes, faces(self.with_holes));
+                message.push_str(&format!(", {count} {faces} with {holes} left open"));
             }
             match created {
                 0 => {}

@@ -120,7 +120,7 @@ fn faces_with_holes_stay_open_however_the_bridge_is_written() {
     let said = losses.iter().find(|loss| loss.kind == LossKind::Polygons).unwrap();
     assert_eq!(
         said.message,
-        "1 face of more than three corners: cut into triangles, holes in 1 of them left open"
+        "1 face of more than three corners: cut into triangles, 1 face with a hole left open"
     );
 }
 
