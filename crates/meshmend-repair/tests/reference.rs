@@ -174,6 +174,11 @@ fn faults(mesh: &PolygonMesh, soup: &Soup, holes: &[u32]) -> Vec<String> {
             _ => None,
         })
         .collect();
+    // What goes in a second round has other numbers there.
+    let is_repeat = |defect: Defect| matches!(defect, Defect::DuplicateFace { .. });
+    if cleaned.passes.iter().skip(2).any(|pass| pass.mended.iter().any(is_repeat)) {
+        return faults;
+    }
     for &hole in holes.iter().filter(|&&hole| !spared.contains(&FaceId(hole))) {
         let faces = cleaned.mesh.faces();
         let pieces = faces.faces().filter(|&f| cleaned.provenance.faces.of(f) == Some(FaceId(hole)));
