@@ -2,10 +2,12 @@
 //!
 //! [`FaceCutter`] cuts faces of a mesh into triangles; [`polygon`] cuts one polygon in space into triangles, or at its
 //! holes; [`words`] tells the simple loops of a face; [`vector`] is the arithmetic of points in doubles; [`sorting`] sorts
-//! by exact predicates, which may contradict themselves where numbers underflow.
+//! by exact predicates, which may contradict themselves where numbers underflow; [`rounding`] tells what single precision
+//! does to points and faces.
 
 mod face_cutter;
 pub mod polygon;
+pub mod rounding;
 pub mod sorting;
 pub mod vector;
 pub mod words;

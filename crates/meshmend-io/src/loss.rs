@@ -29,6 +29,10 @@ pub enum LossKind {
     Converted,
     /// Positions are rounded to single precision.
     Precision,
+    /// Faces have no area any more, as positions are rounded.
+    EmptiedFaces,
+    /// Vertices become one with others, as positions are rounded.
+    JoinedVertices,
     /// Faces of more than three corners are cut into triangles.
     Polygons,
     /// Faces of fewer than three corners are left out.

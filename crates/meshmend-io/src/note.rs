@@ -57,6 +57,10 @@ pub enum NoteKind {
     ColumnOrder,
     /// Triangles that lead a strip on to another one are no faces.
     Stitches,
+    /// Stored normals of facets point elsewhere than the facets, and are computed afresh where they are written.
+    NormalsRecomputed,
+    /// Attribute bytes of facets are colours, or may be.
+    PerhapsColors,
     /// A coordinate is not a finite number.
     NonFinite,
     /// There is no vertex.

@@ -8,8 +8,8 @@ use crate::assemble::Parts;
 use crate::blocks::Blocks;
 use crate::read::{Parsed, Source};
 use crate::shell::Shape;
-use crate::stl::{FACET, HEAD, HEADER, StlShape};
-use crate::text::is_space;
+use crate::stl::normals::Recomputed;
+use crate::stl::{ATTRIBUTE, FACET, HEAD, HEADER, StlShape, colors};
 use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
 
 /// How long the file would be if its count were right; nothing when it is too short to have a count.
@@ -27,6 +27,7 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
     source.limited("vertices", 3 * count as u64, limits.max_vertices.min(limits.max_corners))?;
     let mut facets = Blocks::new(source, HEAD, rest);
     let (mut parts, mut attributes) = (Parts::default(), Attributes::default());
+    let mut recomputed = Recomputed::default();
     parts.positions.reserve_exact(3 * count);
     parts.faces.reserve(3 * count);
     let mut read = 0;
@@ -34,18 +35,24 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
         let block = facets.take_rows(FACET, count - read).map_err(|error| source.failed(error))?;
         for (facet, face) in block.chunks_exact(FACET).zip(read..) {
             let first = 3 * face as u32;
-            parts.positions.extend([12, 24, 36].map(|at| point(&facet[at..at + 12])));
+            let corners = [12, 24, 36].map(|at| point(&facet[at..at + 12]));
+            parts.positions.extend(corners);
+            recomputed.see(point(&facet[..12]), corners, HEAD + face * FACET);
             parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
             attributes.see(face, little_endian(&facet[FACET - 2..]) as u16);
         }
         read += block.len() / FACET;
     }
+    let header = &source.bytes[..HEAD - 4];
+    if !attributes.0.is_empty() {
+        colors::note(header, &attributes.0, &mut parts.notes);
+    }
     parts.layers.extend(attributes.layer(count));
+    recomputed.note(&mut parts.notes, |at| Place::Byte(at as u64));
     let message = "bytes after the last facet were skipped";
     let (surplus, end) = (facets.left() as u64, facets.at() as u64);
     parts.notes.add_many(NoteKind::SurplusData, message, surplus, || Place::Byte(end));
-    let header = &source.bytes[..HEAD - 4];
-    let length = header.iter().rposition(|&b| !is_space(b) && b != 0).map_or(0, |last| last + 1);
+    let length = header.iter().rposition(|&b| b != 0).map_or(0, |last| last + 1);
     if length > 0 {
         parts.metadata.push(Metadata { key: HEADER.to_owned(), value: header[..length].to_vec() });
     }
@@ -90,7 +97,7 @@ impl Attributes {
             return None;
         }
         self.0.resize(faces, 0);
-        Some(Layer::direct("attribute", Domain::Face, 1, Carry::Copy, Values::U16(self.0)))
+        Some(Layer::direct(ATTRIBUTE, Domain::Face, 1, Carry::Copy, Values::U16(self.0)))
     }
 }
 

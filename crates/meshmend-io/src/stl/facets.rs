@@ -2,12 +2,14 @@
 
 use crate::ahead::Rows;
 use crate::line::Line;
+use crate::stl::normals::{Recomputed, roughly};
 use crate::text;
 
 /// The corners of facets, three each.
 #[derive(Default)]
 pub(super) struct Facets {
     pub(super) positions: Vec<[f64; 3]>,
+    pub(super) recomputed: Recomputed,
 }
 
 impl Rows for Facets {
@@ -17,12 +19,14 @@ impl Rows for Facets {
 
     fn clear(&mut self) {
         self.positions.clear();
+        self.recomputed = Recomputed::default();
     }
 
     #[inline]
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
-        let (corners, end) = facet(text, at)?;
+        let (start, normal, corners, end) = facet(text, at)?;
         self.positions.extend_from_slice(&corners);
+        self.recomputed.see(normal, corners, start);
         Some(end)
     }
 
@@ -43,15 +47,18 @@ impl Rows for Facets {
     }
 }
 
-/// The corners of the facet that begins at a byte, and where it ends.
+/// The facet that begins at a byte, after blanks or empty lines: where, its normal, its corners, and where it ends.
 #[inline]
-fn facet(text: &[u8], at: usize) -> Option<([[f64; 3]; 3], usize)> {
+fn facet(text: &[u8], at: usize) -> Option<(usize, [f64; 3], [[f64; 3]; 3], usize)> {
     let mut line = Line::from(text, at);
+    let start = line.at;
     line.pass(b"facet")?;
     line.pass(b"normal")?;
     // The reader passes over any words up to `outer`, and stops at the first one.
-    for _ in 0..3 {
-        line.pass_any().filter(|word| word.first().is_some_and(|b| !b.eq_ignore_ascii_case(&b'o')))?;
+    let mut normal = [0.0; 3];
+    for number in &mut normal {
+        let is_other = |word: &&[u8]| word.first().is_some_and(|b| !b.eq_ignore_ascii_case(&b'o'));
+        *number = roughly(line.pass_any().filter(is_other)?);
     }
     line = Line::from(text, line.end()?);
     line.pass(b"outer")?;
@@ -60,11 +67,11 @@ fn facet(text: &[u8], at: usize) -> Option<([[f64; 3]; 3], usize)> {
     for corner in &mut corners {
         line = Line::from(text, line.end()?);
         line.pass(b"vertex")?;
-        *corner = line.point::<f32>()?.map(f64::from);
+        *corner = line.point()?;
     }
     line = Line::from(text, line.end()?);
     line.pass(b"endloop")?;
     line = Line::from(text, line.end()?);
     line.pass(b"endfacet")?;
-    Some((corners, line.end()?))
+    Some((start, normal, corners, line.end()?))
 }

@@ -9,14 +9,24 @@ use crate::assemble::Parts;
 use crate::read::{Parsed, Source};
 use crate::shell::Shape;
 use crate::stl::facets::Facets;
+use crate::stl::names::Names;
+use crate::stl::normals::{Recomputed, roughly};
 use crate::stl::{SOLID, StlShape};
-use crate::text::{self, is_blank, is_space};
+use crate::text::{self, is_space};
 use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let at = text::text_start(source.bytes);
-    let mut reader =
-        Reader { source, limits, at, parts: Parts::default(), solids: Vec::new(), is_in_solid: false };
+    let mut reader = Reader {
+        source,
+        limits,
+        at,
+        parts: Parts::default(),
+        solids: Vec::new(),
+        is_in_solid: false,
+        names: Names::new(source.bytes),
+        recomputed: Recomputed::default(),
+    };
     read_ahead(source.bytes, source.pace, &Facets::default(), &mut reader)?;
     reader.finish()
 }
@@ -29,6 +39,8 @@ struct Reader<'a> {
     /// Each solid's first face and name.
     solids: Vec<(usize, &'a [u8])>,
     is_in_solid: bool,
+    names: Names<'a>,
+    recomputed: Recomputed,
 }
 
 impl<'a> Reader<'a> {
@@ -65,43 +77,21 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// The rest of the line, or what stands before `facet` or `endsolid` in it.
+    /// The name of the solid that begins here.
     fn name(&mut self) -> &'a [u8] {
         let start = self.at;
-        while let Some(word) = self.next_in_line() {
-            if word.eq_ignore_ascii_case(b"facet") || word.eq_ignore_ascii_case(b"endsolid") {
-                break;
-            }
-            self.at += word.len();
-        }
+        self.at = self.names.end(start);
         text::trimmed(&self.source.bytes[start..self.at])
     }
 
-    /// Passes over the rest of the line, or to the next solid in it if that has a facet in the same line.
+    /// Passes over the name of the solid that ends here.
     fn pass_end_name(&mut self) {
-        let mut next_solid = None;
-        while let Some(word) = self.next_in_line() {
-            if word.eq_ignore_ascii_case(b"solid") {
-                next_solid = next_solid.or(Some(self.at));
-            }
-            if let (true, Some(solid)) = (word.eq_ignore_ascii_case(b"facet"), next_solid) {
-                self.at = solid;
-                return;
-            }
-            self.at += word.len();
-        }
-    }
-
-    /// Goes to the next word of the line; at its end there is none.
-    fn next_in_line(&mut self) -> Option<&'a [u8]> {
-        let bytes = &self.source.bytes[self.at..];
-        self.at += bytes.iter().position(|&b| !is_blank(b)).unwrap_or(bytes.len());
-        let word = text::word(self.source.bytes, self.at);
-        (!word.is_empty()).then_some(word)
+        let name = self.solids.last().map_or(&b""[..], |&(_, name)| name);
+        self.at = self.names.end_of_repeated(self.at, name);
     }
 
     fn facet(&mut self, start: usize) -> Result<(), ReadError> {
-        self.pass_normal()?;
+        let normal = self.normal()?;
         self.expect("loop")?;
         let first = self.parts.positions.len();
         while self.accept("vertex") {
@@ -116,31 +106,40 @@ impl<'a> Reader<'a> {
             return Err(self.wrong(start, &format!("a facet with {count} vertices")));
         }
         self.parts.faces.end_face();
+        if let [a, b, c] = self.parts.positions[first..] {
+            self.recomputed.see(normal, [a, b, c], start);
+        }
         let vertices = self.parts.positions.len() as u64;
         self.source.limited("vertices", vertices, self.limits.max_vertices.min(self.limits.max_corners))?;
         self.source.limited("faces", self.parts.faces.face_count() as u64, self.limits.max_faces)
     }
 
-    /// `normal` and its numbers, whatever they are: they are not used. Ends after `outer`.
-    fn pass_normal(&mut self) -> Result<(), ReadError> {
+    /// The numbers after `normal`, or zeros where there are not three of them. Ends after `outer`.
+    fn normal(&mut self) -> Result<[f64; 3], ReadError> {
         const MOST_WORDS: usize = 4;
-        for _ in 0..MOST_WORDS {
-            if self.accept("outer") {
-                return Ok(());
+        let is_named = self.accept("normal");
+        let (mut numbers, mut found) = ([0.0; MOST_WORDS], 0);
+        while !self.accept("outer") {
+            if found + usize::from(is_named) == MOST_WORDS {
+                return Err(self.unexpected("`outer`"));
             }
-            self.at += text::word(self.source.bytes, self.at).len();
+            let word = text::word(self.source.bytes, self.at);
+            self.at += word.len();
+            numbers[found] = roughly(word);
+            found += 1;
         }
-        self.expect("outer")
+        let [x, y, z, _] = numbers;
+        Ok(if is_named && found == 3 { [x, y, z] } else { [0.0; 3] })
     }
 
     fn coordinate(&mut self) -> Result<f64, ReadError> {
         let start = self.next();
         let bytes = &self.source.bytes[start..];
         let ended = |length: usize| bytes.get(length).is_none_or(|&b| is_space(b));
-        match text::real::<f32>(bytes) {
+        match text::real::<f64>(bytes) {
             Some((value, length)) if ended(length) => {
                 self.at += length;
-                Ok(f64::from(value))
+                Ok(value)
             }
             _ => Err(self.unexpected("a number")),
         }
@@ -200,6 +199,7 @@ impl<'a> Reader<'a> {
             self.parts.metadata.push(Metadata { key: SOLID.to_owned(), value: name.to_vec() });
         }
         let source = self.source;
+        self.recomputed.note(&mut self.parts.notes, |at| source.line(at));
         let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
         let shell = Shell::of_file(Encoding::Ascii, Shape::Stl(StlShape));
         Ok(Parsed { mesh, variant: "stl-ascii", notes, shell })
@@ -242,6 +242,7 @@ impl ahead::Reader<Facets> for Reader<'_> {
             return;
         }
         self.parts.positions.extend_from_slice(&rows.positions);
+        self.recomputed.see_all(rows.recomputed);
         (vertices as u32..all as u32).step_by(3).for_each(|first| {
             self.parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
         });

@@ -6,9 +6,10 @@ use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId};
 
 use crate::layers::{absent, absent_loss, layer_losses, layer_of, loose_losses, metadata_losses};
 use crate::sink::Sink;
-use crate::stl::{HEAD, HEADER, SOLID};
-use crate::text::{trimmed, without_mark};
-use crate::{Encoding, Loss, LossKind, Prepared, WriteErrorKind};
+use crate::stl::normals::unit_normal;
+use crate::stl::{ATTRIBUTE, HEAD, HEADER, SOLID, names};
+use crate::text::trimmed;
+use crate::{Encoding, Format, Loss, LossKind, Prepared, WriteErrorKind};
 
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
     let mesh = &prepared.mesh;
@@ -31,7 +32,8 @@ fn write_binary(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErro
         let attribute = attribute.and_then(|(layer, values)| Some(values[layer.value_of(face.index())?]));
         if let Some([a, b, c]) = triangle(mesh, face) {
             let points = [single(mesh, a), single(mesh, b), single(mesh, c)];
-            sink.bytes(&facet(normal(points), points, attribute.unwrap_or(0)));
+            let normal = unit_normal(points.map(|point| point.map(f64::from))).map(|x| x as f32);
+            sink.bytes(&facet(normal, points, attribute.unwrap_or(0)));
         }
         sink.checkpoint()?;
     }
@@ -49,20 +51,12 @@ fn facet(normal: [f32; 3], points: [[f32; 3]; 3], attribute: u16) -> [u8; 50] {
     bytes
 }
 
-/// The stored header, or an empty one. None begins with `solid`, also after a byte order mark, as a reader may take that
-/// for text.
+/// The stored header, to the byte, or an empty one.
 fn header(mesh: &PolygonMesh) -> [u8; HEAD - 4] {
     let stored = mesh.metadata().iter().find(|m| m.key == HEADER).map_or(&[][..], |m| &m.value);
-    let prefix: &[u8] = if is_misleading(stored) { b"binary " } else { b"" };
     let mut header = [0; HEAD - 4];
-    for (slot, byte) in header.iter_mut().zip(prefix.iter().chain(stored)) {
-        *slot = *byte;
-    }
+    header.iter_mut().zip(stored).for_each(|(slot, byte)| *slot = *byte);
     header
-}
-
-fn is_misleading(header: &[u8]) -> bool {
-    trimmed(without_mark(header)).get(..5).is_some_and(|start| start.eq_ignore_ascii_case(b"solid"))
 }
 
 fn write_text(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErrorKind> {
@@ -81,7 +75,7 @@ fn write_text(mesh: &PolygonMesh, sink: &mut Sink<'_>) -> Result<(), WriteErrorK
             open = Some(name);
         }
         if let Some(triangle) = triangle(mesh, face) {
-            text_facet(sink, triangle.map(|v| single(mesh, v)));
+            text_facet(sink, triangle.map(|v| mesh.position(v)));
         }
         sink.checkpoint()?;
     }
@@ -102,14 +96,15 @@ fn statement(sink: &mut Sink<'_>, word: &[u8], name: &[u8]) {
     sink.byte(b'\n');
 }
 
-/// A name that is read back as one: one line, and none of the words that end a name.
+/// A name that is read back as one: one line, in which no facet begins.
 fn solid_name(name: &[u8]) -> Vec<u8> {
+    const FACET: &[u8] = b"facet";
     let safe = |b: &u8| if matches!(b, b'\n' | b'\r' | 0) { b' ' } else { *b };
     let line: Vec<u8> = name.iter().map(safe).collect();
     let mut spelled = trimmed(&line).to_vec();
-    for word in [&b"facet"[..], b"endsolid"] {
-        for at in 0..spelled.len().saturating_sub(word.len() - 1) {
-            if spelled[at..at + word.len()].eq_ignore_ascii_case(word) {
+    if names::holds_facet(&spelled) {
+        for at in 0..=spelled.len() - FACET.len() {
+            if spelled[at..at + FACET.len()].eq_ignore_ascii_case(FACET) {
                 spelled[at] = b'_';
             }
         }
@@ -117,23 +112,22 @@ fn solid_name(name: &[u8]) -> Vec<u8> {
     spelled
 }
 
-fn text_facet(sink: &mut Sink<'_>, points: [[f32; 3]; 3]) {
+fn text_facet(sink: &mut Sink<'_>, points: [[f64; 3]; 3]) {
     sink.bytes(b"facet normal");
-    numbers(sink, normal(points));
-    sink.bytes(b"outer loop\n");
+    for number in unit_normal(points) {
+        sink.byte(b' ');
+        sink.single(number as f32);
+    }
+    sink.bytes(b"\nouter loop\n");
     for point in points {
         sink.bytes(b"vertex");
-        numbers(sink, point);
+        for number in point {
+            sink.byte(b' ');
+            sink.real(number);
+        }
+        sink.byte(b'\n');
     }
     sink.bytes(b"endloop\nendfacet\n");
-}
-
-fn numbers(sink: &mut Sink<'_>, numbers: [f32; 3]) {
-    for number in numbers {
-        sink.byte(b' ');
-        sink.single(number);
-    }
-    sink.byte(b'\n');
 }
 
 /// The vertices of a face, unless it has fewer than three corners.
@@ -146,22 +140,9 @@ fn single(mesh: &PolygonMesh, vertex: VertexId) -> [f32; 3] {
     [x as f32, y as f32, z as f32]
 }
 
-/// The unit normal of a triangle; zero where it has none. The products of differences of single-precision
-/// numbers neither overflow nor vanish in a double.
-fn normal(points: [[f32; 3]; 3]) -> [f32; 3] {
-    let way = |to: [f32; 3], from: [f32; 3]| {
-        let along = |axis: usize| f64::from(to[axis]) - f64::from(from[axis]);
-        [along(0), along(1), along(2)]
-    };
-    let (u, v) = (way(points[1], points[0]), way(points[2], points[0]));
-    let [x, y, z] = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let scale = 1.0 / (x * x + y * y + z * z).sqrt();
-    if scale.is_finite() { [(x * scale) as f32, (y * scale) as f32, (z * scale) as f32] } else { [0.0; 3] }
-}
-
 /// The layer whose numbers are written. Zeros alone are what a file without attributes has, and would be read as none.
 fn attribute_layer(mesh: &PolygonMesh) -> Option<(&Layer, &[u16])> {
-    let layer = layer_of(mesh, "attribute", Domain::Face, |layer| {
+    let layer = layer_of(mesh, ATTRIBUTE, Domain::Face, |layer| {
         matches!(layer.values(), Values::U16(_)) && layer.width() == 1
     })?;
     let Values::U16(values) = layer.values() else { return None };
@@ -180,7 +161,7 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let (mesh, is_text) = (&prepared.mesh, prepared.encoding == Encoding::Ascii);
     let written =
         if is_text { object_layer(mesh).map(|(l, _)| l) } else { attribute_layer(mesh).map(|(l, _)| l) };
-    let mut losses = geometry_losses(mesh);
+    let mut losses = geometry_losses(prepared);
     losses.extend(layer_losses(mesh, written.as_slice()));
     // A facet without a number of its own has 0.
     losses.extend(written.filter(|_| !is_text).and_then(|layer| absent_loss(layer, absent(layer))));
@@ -202,31 +183,25 @@ fn name_losses(mesh: &PolygonMesh, is_text: bool) -> Option<Loss> {
         names.chain(single).filter(|name| solid_name(name) != ***name).count()
     } else {
         let headers = mesh.metadata().iter().filter(|m| m.key == HEADER);
-        headers.filter(|m| is_misleading(&m.value) || m.value.len() > HEAD - 4).count()
+        headers.filter(|m| m.value.len() > HEAD - 4).count()
     };
     Loss::if_any(LossKind::Names, other, |n| format!("{n} names are spelled otherwise"))
 }
 
-fn geometry_losses(mesh: &PolygonMesh) -> Vec<Loss> {
+fn geometry_losses(prepared: &Prepared) -> Vec<Loss> {
+    let mesh = &prepared.mesh;
     let faces = mesh.faces();
     let sizes = faces.faces().map(|face| faces.corner_range(face).len());
-    let mut used = vec![false; mesh.counts().vertices];
+    let mut uses = vec![0_u32; mesh.counts().vertices];
     let kept = faces.faces().filter(|&face| faces.corner_range(face).len() > 2);
-    kept.for_each(|face| faces.face_vertices(face).iter().for_each(|v| used[v.index()] = true));
-    let unused = used.iter().filter(|&&used| !used).count();
-    let positions = || mesh.positions().iter().zip(&used).filter(|&(_, &used)| used).map(|(p, _)| p);
-    let total = mesh.counts().vertices;
-    let is_rounded = |p: &&[f64; 3]| p.iter().any(|&x| f64::from(x as f32) != x && !x.is_nan());
-    let rounded = positions().filter(is_rounded).count();
+    kept.for_each(|face| faces.face_vertices(face).iter().for_each(|v| uses[v.index()] += 1));
+    let unused = uses.iter().filter(|&&uses| uses == 0).count();
     [
         Loss::if_any(LossKind::ShortFaces, sizes.filter(|&n| n < 3).count(), |n| {
             format!("{n} faces of fewer than three corners")
         }),
         Loss::if_any(LossKind::UnusedVertices, unused, |n| format!("{n} vertices that no face uses")),
-        Loss::if_any(LossKind::Precision, rounded, |n| {
-            format!("positions rounded to single precision: {n} of {total}")
-        }),
-        Loss::if_any(LossKind::SharedVertices, coincident(positions()), |n| {
+        Loss::if_any(LossKind::SharedVertices, parted_vertices(prepared, &uses), |n| {
             format!(
                 "that {n} vertices are not those at the same point: without indices they become one again"
             )
@@ -237,11 +212,22 @@ fn geometry_losses(mesh: &PolygonMesh) -> Vec<Loss> {
     .collect()
 }
 
-/// How many vertices have the same position, in single precision, as an earlier one.
-fn coincident<'a>(positions: impl Iterator<Item = &'a [f64; 3]>) -> usize {
-    let bits = |x: f64| u128::from((x as f32 + 0.0).to_bits());
-    let finite = positions.filter(|p| p.iter().all(|x| x.is_finite()));
-    let mut keys: Vec<u128> = finite.map(|&[x, y, z]| bits(x) << 64 | bits(y) << 32 | bits(z)).collect();
+/// How many vertices are where an earlier one is, and are told from it by the mesh alone. Where each corner has a vertex of
+/// its own, as in an STL file that was read, nothing tells them apart; what rounding joins is named as such.
+fn parted_vertices(prepared: &Prepared, uses: &[u32]) -> usize {
+    let is_from_stl = prepared.options.shell.format() == Some(Format::Stl);
+    if is_from_stl && uses.iter().all(|&uses| uses < 2) {
+        return 0;
+    }
+    let used = prepared.mesh.positions().iter().zip(uses).filter(|&(_, &uses)| uses > 0).map(|(p, _)| p);
+    let joined = prepared.losses.iter().filter(|loss| loss.kind == LossKind::JoinedVertices);
+    coincident(used).saturating_sub(joined.map(|loss| loss.count as usize).sum())
+}
+
+/// How many points are where an earlier one is.
+fn coincident<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> usize {
+    let finite = points.filter(|p| p.iter().all(|x| x.is_finite()));
+    let mut keys: Vec<[u64; 3]> = finite.map(|point| point.map(|x| (x + 0.0).to_bits())).collect();
     keys.sort_unstable();
     keys.windows(2).filter(|pair| pair[0] == pair[1]).count()
 }

@@ -14,4 +14,5 @@ mod ply;
 mod ply_elsewhere;
 mod ply_rows;
 mod stl;
+mod stl_data;
 mod stl_polygons;

@@ -41,8 +41,7 @@ fn binary_facets_have_their_own_vertices_and_single_coordinates() {
     assert_eq!(file.mesh.positions()[2], [0.0, 1.0, f64::from(0.1_f32)]);
     assert_eq!(file.mesh.positions()[3], [1.0, 0.0, 0.0]);
     assert_eq!(layer(&file.mesh, "attribute", Domain::Face).values(), &Values::U16(vec![0, 1]));
-    assert_eq!(file.mesh.metadata()[0].value, b"a header");
-    let plain = read(binary("", 1, 1)).mesh;
+    let plain = read(binary(&"\0".repeat(80), 1, 1)).mesh;
     assert_eq!((plain.layers(), plain.metadata()), (&[][..], &[][..]));
 }
 
@@ -110,12 +109,6 @@ fn text_is_read_in_any_case_and_layout() {
         assert_eq!((faces(&file.mesh), file.variant), (vec![vec![0, 1, 2]], "stl-ascii"), "{text:?}");
         assert_eq!(file.mesh.positions(), [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     }
-}
-
-#[test]
-fn text_coordinates_are_single_precision() {
-    let mesh = read(format!("solid\n{}endsolid\n", FACET.replace("1 0 0", "0.1 1e39 0"))).mesh;
-    assert_eq!(mesh.positions()[1], [f64::from(0.1_f32), f64::INFINITY, 0.0]);
 }
 
 #[test]
@@ -212,27 +205,19 @@ fn what_stl_can_not_carry_is_named() {
         let (bytes, losses) = written(&mesh, Format::Stl, encoding);
         let found: Vec<(LossKind, u64)> = losses.iter().map(|loss| (loss.kind, loss.count)).collect();
         let expected = [
+            (LossKind::Precision, 1),
             (LossKind::Polygons, 1),
             (LossKind::ShortFaces, 1),
             (LossKind::UnusedVertices, 1),
-            (LossKind::Precision, 1),
             (LossKind::SharedVertices, 1),
             (LossKind::LooseEdges, 1),
             (LossKind::LoosePoints, 1),
         ];
-        assert_eq!(found, expected);
-        assert_eq!(losses[3].message, "positions rounded to single precision: 1 of 6");
+        // Text has double precision.
+        let rounded = usize::from(encoding == Encoding::Ascii);
+        assert_eq!(found, expected[rounded..]);
+        assert!(rounded == 1 || losses[0].message == "positions rounded to single precision: 1 of 6");
         assert_eq!(read(bytes).mesh.counts().faces, 3);
-    }
-}
-
-#[test]
-fn a_binary_header_never_looks_like_text() {
-    for header in ["solid name", "\u{feff}Solid name"] {
-        let mesh = read(binary(header, 1, 1)).mesh;
-        let (bytes, losses) = written(&mesh, Format::Stl, Encoding::LittleEndian);
-        assert_eq!((losses[0].kind, losses.len()), (LossKind::Names, 1));
-        assert!(bytes.starts_with(format!("binary {header}\0").as_bytes()));
     }
 }
 
@@ -267,17 +252,6 @@ fn a_header_beyond_its_place_is_named() {
         assert_eq!(kinds, if is_lost { vec![LossKind::Names] } else { vec![] }, "{length}");
         assert_eq!(read(bytes).mesh.metadata()[0].value, [b'x'; 80]);
     }
-}
-
-#[test]
-fn words_that_end_a_name_are_spelled_otherwise_in_it() {
-    let solid = Metadata { key: "solid".to_owned(), value: b"a facet of the EndSolid".to_vec() };
-    let comment = Metadata { key: "comment".to_owned(), value: b"about it".to_vec() };
-    let mesh = read(format!("solid\n{FACET}endsolid\n")).mesh.with_metadata(vec![solid, comment]);
-    let (bytes, losses) = written(&mesh, Format::Stl, Encoding::Ascii);
-    let found: Vec<(LossKind, u64)> = losses.iter().map(|loss| (loss.kind, loss.count)).collect();
-    assert_eq!(found, [(LossKind::Metadata, 1), (LossKind::Names, 1)]);
-    assert_eq!(read(bytes).mesh.metadata()[0].value, b"a _acet of the _ndSolid");
 }
 
 #[test]

@@ -1,0 +1,139 @@
+//! What becomes of a mesh whose coordinates are stored in single precision.
+
+use meshmend_core::{Id, PolygonMesh};
+
+use crate::vector::{Point, area_vector, minus};
+
+/// What rounding to single precision does to the faces of a mesh and the vertices that they use.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rounding {
+    /// How many vertices move.
+    pub moved: usize,
+    /// How many vertices come to be where a lower one is, and were not before.
+    pub joined: usize,
+    /// How many faces had an area and have none any more, or leave the range of single precision.
+    pub emptied: usize,
+}
+
+/// The mesh with positions in single precision, and what that does to its faces of three corners or more; nothing where
+/// they are already.
+///
+/// *Cost*: linear where nothing moves; else n log n.
+pub fn in_single_precision(mesh: &PolygonMesh) -> Option<(PolygonMesh, Rounding)> {
+    let rounded = rounded_to_single(mesh.positions())?;
+    let faces = mesh.faces();
+    let corners = |face| faces.face_vertices(face).iter().map(|vertex| vertex.index());
+    let large = faces.faces().filter(|&face| faces.corner_range(face).len() > 2).map(corners);
+    let rounding = Rounding::of(mesh.positions(), &rounded, large);
+    // There are as many positions as before.
+    let mesh = mesh.clone().with_positions(rounded).ok()?;
+    Some((mesh, rounding))
+}
+
+/// The points in single precision; nothing where they are already.
+///
+/// *Cost*: linear; memory where a point moves.
+fn rounded_to_single(points: &[Point]) -> Option<Vec<Point>> {
+    let first = points.iter().position(|point| is_moved(*point))?;
+    let mut rounded = points.to_vec();
+    rounded[first..].iter_mut().for_each(|point| *point = point.map(|x| f64::from(x as f32)));
+    Some(rounded)
+}
+
+impl Rounding {
+    /// What moving points to rounded ones does to these faces, each of which lists its vertices.
+    ///
+    /// *Cost*: n log n.
+    fn of(
+        points: &[Point],
+        rounded: &[Point],
+        faces: impl Iterator<Item = impl Iterator<Item = usize> + Clone>,
+    ) -> Self {
+        let mut is_used = vec![false; points.len()];
+        let mut emptied = 0;
+        for face in faces {
+            face.clone().for_each(|vertex| is_used[vertex] = true);
+            let is_touched = face.clone().any(|vertex| is_moved(points[vertex]));
+            let has_area = |points: &[Point]| has_area(face.clone().map(|vertex| points[vertex]));
+            emptied += usize::from(is_touched && has_area(points) && !has_area(rounded));
+        }
+        let used: Vec<usize> = (0..points.len()).filter(|&vertex| is_used[vertex]).collect();
+        let moved = used.iter().filter(|&&vertex| is_moved(points[vertex])).count();
+        Rounding { moved, joined: joined(&used, points, rounded), emptied }
+    }
+}
+
+fn is_moved(point: Point) -> bool {
+    point.iter().any(|&x| f64::from(x as f32) != x && !x.is_nan())
+}
+
+/// How many more vertices are where a lower one is after rounding than before.
+fn joined(used: &[usize], points: &[Point], rounded: &[Point]) -> usize {
+    let bits = |point: Point| point.map(|x| (x + 0.0).to_bits());
+    let is_finite = |&&vertex: &&usize| rounded[vertex].iter().all(|x| x.is_finite());
+    let mut keys: Vec<_> =
+        used.iter().filter(is_finite).map(|&vertex| (bits(rounded[vertex]), bits(points[vertex]))).collect();
+    keys.sort_unstable();
+    let places = keys.chunk_by(|a, b| a.0 == b.0);
+    places.map(|place| place.windows(2).filter(|pair| pair[0].1 != pair[1].1).count()).sum()
+}
+
+/// Whether a polygon has an area vector that is neither zero nor beyond all numbers.
+fn has_area(corners: impl Iterator<Item = Point> + Clone) -> bool {
+    let Some(first) = corners.clone().next() else { return false };
+    let spokes = corners.skip(1).map(|corner| minus(corner, first));
+    let size = spokes.clone().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    if size == 0.0 || !spokes.clone().flatten().all(f64::is_finite) {
+        return false;
+    }
+    // Measured by its size, so that no product overflows or vanishes.
+    area_vector(std::iter::once([0.0; 3]).chain(spokes.map(|spoke| spoke.map(|x| x / size)))) != [0.0; 3]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rounding(points: &[Point], faces: &[[usize; 3]]) -> Option<Rounding> {
+        let rounded = rounded_to_single(points)?;
+        Some(Rounding::of(points, &rounded, faces.iter().map(|face| face.iter().copied())))
+    }
+
+    #[test]
+    fn what_is_single_already_stays() {
+        let points = [[0.5, -0.0, 2_f64.powi(100)], [f64::NAN, f64::INFINITY, 0.25]];
+        assert_eq!(rounded_to_single(&points), None);
+        assert_eq!(rounded_to_single(&[]), None);
+    }
+
+    /// A triangle of a centimetre far from the origin, one that stays, and one that leaves the range.
+    #[test]
+    fn what_is_joined_emptied_and_moved_is_counted_apart() {
+        let far = 5_801_234.57;
+        let points = [
+            [far, 0.0, 0.0],
+            [far + 0.01, 0.0, 0.0],
+            [far, 0.01, 0.0],
+            [0.1, 0.0, 0.0],
+            [1e39, 0.0, 0.0],
+            // Nothing uses it.
+            [far, 1e-60, 0.0],
+        ];
+        let found = rounding(&points, &[[0, 1, 2], [0, 3, 2], [3, 2, 4], [3, 3, 2]]).unwrap();
+        assert_eq!(found, Rounding { moved: 5, joined: 1, emptied: 2 });
+    }
+
+    #[test]
+    fn what_was_equal_before_is_not_joined_by_rounding() {
+        let points = [[0.1, 0.0, 0.0], [0.1, -0.0, 0.0], [0.1 + 1e-12, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let found = rounding(&points, &[[0, 1, 3], [2, 1, 3]]).unwrap();
+        assert_eq!(found, Rounding { moved: 3, joined: 1, emptied: 1 });
+    }
+
+    #[test]
+    fn small_faces_have_an_area_however_small() {
+        let tiny = |x: f64| [[0.0; 3], [x, 0.0, 0.0], [0.0, x, 0.0]];
+        assert_eq!(rounding(&tiny(1e-44), &[[0, 1, 2]]).map(|found| found.emptied), Some(0));
+        assert_eq!(rounding(&tiny(1e-300), &[[0, 1, 2]]).map(|found| found.emptied), Some(1));
+    }
+}
