@@ -24,7 +24,8 @@ pub(crate) struct Policies {
     /// Read passes, their order and options from a TOML file; the options below override it
     #[arg(long, value_name = "FILE")]
     plan: Option<PathBuf>,
-    /// Which vertices are joined: none, exact, within a length, or within a percentage of the bounding box's diagonal
+    /// Which vertices are joined: none, exact, single (equal in single precision), within a length, or within a percentage
+    /// of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,
     /// Whether faces are made simple, and degenerate, non-finite and repeated ones removed

@@ -24,11 +24,12 @@ impl Welding {
     }
 }
 
-/// Reads `none`, `off`, `exact`, a length, or a percentage of the bounding box's diagonal.
+/// Reads `none`, `off`, `exact`, `single`, a length, or a percentage of the bounding box's diagonal.
 pub(crate) fn welding(word: &str) -> Result<Welding, String> {
     match word {
         "none" | "off" => return Ok(Welding::Off),
         "exact" => return Ok(Welding::Within(Distance::Exact)),
+        "single" => return Ok(Welding::Within(Distance::Single)),
         _ => {}
     }
     let (number, is_percentage) = match word.strip_suffix('%') {
@@ -41,7 +42,10 @@ pub(crate) fn welding(word: &str) -> Result<Welding, String> {
         } else {
             Distance::Absolute(length)
         })),
-        _ => Err("expected none, exact, a length such as 0.001, or a percentage such as 0.01%".to_owned()),
+        _ => {
+            Err("expected none, exact, single, a length such as 0.001, or a percentage such as 0.01%"
+                .to_owned())
+        }
     }
 }
 
@@ -131,6 +135,7 @@ impl OutputWords {
             failed(format!("the name tells no format that can be written; known are {}", names.join(", ")))
         })?;
         let encoding = match self.encoding {
+            // That of the input, if that is known and has the same format.
             None => None,
             Some(word) => Some(word.of(format).ok_or_else(|| {
                 let known: Vec<&str> = format.encodings().iter().map(|encoding| encoding.name()).collect();
@@ -184,6 +189,7 @@ mod tests {
     #[test]
     fn distances_are_lengths_or_percentages() {
         assert_eq!(welding("exact"), Ok(Welding::Within(Distance::Exact)));
+        assert_eq!(welding("single"), Ok(Welding::Within(Distance::Single)));
         assert_eq!(welding("1e-3"), Ok(Welding::Within(Distance::Absolute(1e-3))));
         assert_eq!(welding("50%"), Ok(Welding::Within(Distance::Relative(0.5))));
         for off in ["none", "off"] {

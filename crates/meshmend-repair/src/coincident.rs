@@ -21,20 +21,90 @@ const NO_VERTEX: u32 = u32::MAX;
 
 /// For each vertex the lowest one at the same position: −0 equals 0, and what is not finite equals nothing.
 ///
-/// *Cost*: linear; 20 bytes a vertex where all coordinates are single precision, else 36.
+/// *Cost*: linear; 20 bytes a vertex, and 36 for each that equals another one in single precision alone.
 pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
     coincident_points(mesh.positions())
 }
 
 /// The same for any points.
 pub(crate) fn coincident_points(positions: &[[f64; 3]]) -> Vec<VertexId> {
-    let are_single = |positions: &[[f64; 3]]| positions.iter().flatten().all(|&x| f64::from(x as f32) == x);
-    if positions.par_chunks(CHUNK).all(are_single) {
-        lowest_of_equal(positions, |p| p.map(|x| (x as f32 + 0.0).to_bits()))
-    } else {
-        // A coordinate that is no number equals none, itself included, so such positions come here.
-        lowest_of_equal(positions, |p| p.map(|x| (x + 0.0).to_bits()))
+    Coincidence::of(positions).exactly
+}
+
+/// For each vertex the lowest one at the same position when all coordinates are rounded to single precision; what is not
+/// finite then equals nothing.
+///
+/// *Cost*: linear; 20 bytes a vertex.
+pub fn coincident_in_single(mesh: &PolygonMesh) -> Vec<VertexId> {
+    equal_in_single(mesh.positions())
+}
+
+/// Which vertices are in the same place, and how many more would be if coordinates were stored in single precision.
+#[derive(Clone, Debug)]
+pub struct Coincidence {
+    /// For each vertex the lowest one at the same position.
+    pub exactly: Vec<VertexId>,
+    /// How many vertices equal a lower one in single precision alone.
+    pub only_in_single: usize,
+}
+
+impl Coincidence {
+    /// Looks at some points.
+    ///
+    /// *Cost*: that of [`coincident_vertices`].
+    pub fn of(positions: &[[f64; 3]]) -> Self {
+        let are_single =
+            |positions: &[[f64; 3]]| positions.iter().flatten().all(|&x| f64::from(x as f32) == x);
+        let lowest = equal_in_single(positions);
+        // A coordinate that is no number equals none, itself included.
+        if positions.par_chunks(CHUNK).all(are_single) {
+            return Coincidence { exactly: lowest, only_in_single: 0 };
+        }
+        let doubtful = doubtful(positions, &lowest);
+        let mut exactly = lowest;
+        let joined = |lowest: &[VertexId]| doubtful.iter().filter(|&&v| lowest[v.index()] != v).count();
+        let joined_in_single = joined(&exactly);
+        let points: Vec<[f64; 3]> = doubtful.iter().map(|v| positions[v.index()]).collect();
+        let equal = lowest_of_equal(&points, f64::is_finite, |p| p.map(|x| (x + 0.0).to_bits()));
+        for (&vertex, low) in doubtful.iter().zip(equal) {
+            exactly[vertex.index()] = doubtful[low.index()];
+        }
+        // Numbers that single precision does not reach may be equal as they are, and are not in single precision.
+        let only_in_single = joined_in_single.saturating_sub(joined_within(&exactly, &doubtful, positions));
+        Coincidence { exactly, only_in_single }
     }
+}
+
+fn equal_in_single(positions: &[[f64; 3]]) -> Vec<VertexId> {
+    lowest_of_equal(positions, |x| (x as f32).is_finite(), |p| p.map(|x| (x as f32 + 0.0).to_bits()))
+}
+
+/// The vertices of which single precision does not tell what they equal: all of a class that are not all at one position,
+/// and those beyond its reach.
+fn doubtful(positions: &[[f64; 3]], lowest: &[VertexId]) -> Vec<VertexId> {
+    let vertices = || (0..positions.len()).map(VertexId::new);
+    let mut is_mixed = vec![false; positions.len()];
+    for vertex in vertices() {
+        let low = lowest[vertex.index()];
+        if low != vertex && positions[low.index()] != positions[vertex.index()] {
+            is_mixed[low.index()] = true;
+        }
+    }
+    let is_doubtful = |vertex: &VertexId| {
+        let point = positions[vertex.index()];
+        is_mixed[lowest[vertex.index()].index()] || !is_in_reach(point) && point.iter().all(|x| x.is_finite())
+    };
+    vertices().filter(is_doubtful).collect()
+}
+
+/// How many of some vertices within the reach of single precision are joined to a lower one.
+fn joined_within(lowest: &[VertexId], vertices: &[VertexId], positions: &[[f64; 3]]) -> usize {
+    let is_joined = |v: &&VertexId| lowest[v.index()] != **v && is_in_reach(positions[v.index()]);
+    vertices.iter().filter(is_joined).count()
+}
+
+fn is_in_reach(point: [f64; 3]) -> bool {
+    point.iter().all(|&x| (x as f32).is_finite())
 }
 
 /// What positions are compared by.
@@ -80,20 +150,28 @@ struct Entry<K> {
     lowest: u32,
 }
 
-/// The finite vertices of a chunk, sorted into parts.
+/// The comparable vertices of a chunk, sorted into parts.
 struct Chunk<K> {
     entries: Vec<Entry<K>>,
     /// Where each part begins, and one more.
     starts: Vec<usize>,
 }
 
-fn lowest_of_equal<K: Key>(positions: &[[f64; 3]], key: impl Fn([f64; 3]) -> K + Sync) -> Vec<VertexId> {
+/// For each point the lowest one with the same key; a point with a coordinate that is not comparable is alone.
+fn lowest_of_equal<K: Key>(
+    positions: &[[f64; 3]],
+    is_comparable: impl Fn(f64) -> bool + Sync,
+    key: impl Fn([f64; 3]) -> K + Sync,
+) -> Vec<VertexId> {
     let part_bits = (positions.len() / PART).max(1).ilog2();
     let part_of = |key: K| (u128::from(key.hash()) << part_bits >> 64) as usize;
     let mut chunks: Vec<Chunk<K>> = positions
         .par_chunks(CHUNK)
         .enumerate()
-        .map(|(chunk, positions)| Chunk::of(positions, chunk * CHUNK, 1 << part_bits, &key, part_of))
+        .map(|(chunk, positions)| {
+            let compared = |p: &[f64; 3]| p.iter().all(|&x| is_comparable(x)).then(|| key(*p));
+            Chunk::of(positions, chunk * CHUNK, 1 << part_bits, compared, part_of)
+        })
         .collect();
     let parts = by_part(&mut chunks, 1 << part_bits);
     parts.into_par_iter().for_each_init(Table::new, |table, mut runs| table.find_lowest(&mut runs));
@@ -110,19 +188,18 @@ impl<K: Key> Chunk<K> {
         positions: &[[f64; 3]],
         first: usize,
         parts: usize,
-        key: impl Fn([f64; 3]) -> K,
+        key: impl Fn(&[f64; 3]) -> Option<K>,
         part_of: impl Fn(K) -> usize,
     ) -> Self {
-        let finite = || positions.iter().enumerate().filter(|(_, p)| p.iter().all(|x| x.is_finite()));
+        let keys = || positions.iter().enumerate().filter_map(|(place, p)| Some((place, key(p)?)));
         let mut starts = vec![0; parts + 1];
-        finite().for_each(|(_, &p)| starts[part_of(key(p)) + 1] += 1);
+        keys().for_each(|(_, key)| starts[part_of(key) + 1] += 1);
         for part in 0..parts {
             starts[part + 1] += starts[part];
         }
         let mut next = starts.clone();
         let mut entries = vec![Entry { key: K::NONE, vertex: 0, lowest: 0 }; starts[parts]];
-        for (place, &position) in finite() {
-            let key = key(position);
+        for (place, key) in keys() {
             let slot = &mut next[part_of(key)];
             let vertex = (first + place) as u32;
             entries[*slot] = Entry { key, vertex, lowest: vertex };
@@ -251,6 +328,28 @@ mod tests {
         }
     }
 
+    /// What is joined in single precision is counted beyond what is equal, also where numbers leave its range.
+    #[test]
+    fn single_precision_joins_more() {
+        let positions = [
+            [0.1, 0.0, 0.0],
+            [0.1_f32.into(), 0.0, 0.0],
+            [0.1, -0.0, 1e-60],
+            [0.1, 0.0, 0.0],
+            [1e39, 0.0, 0.0],
+            [1e39, 0.0, 0.0],
+            [2e39, 0.0, 0.0],
+            [f64::NAN, 0.0, 0.0],
+            [0.5, 0.0, 0.0],
+        ];
+        let found = Coincidence::of(&positions);
+        let exactly: Vec<u32> = found.exactly.iter().map(|v| v.0).collect();
+        assert_eq!((exactly, found.only_in_single), (vec![0, 1, 2, 0, 4, 4, 6, 7, 8], 2));
+        let in_single: Vec<u32> = equal_in_single(&positions).iter().map(|v| v.0).collect();
+        assert_eq!(in_single, [0, 0, 0, 0, 4, 5, 6, 7, 8]);
+        assert_eq!(Coincidence::of(&positions[8..]).only_in_single, 0);
+    }
+
     /// Keys of one hash: the table gives up, and sorting gives the same.
     #[test]
     fn keys_that_collide_are_sorted() {
@@ -263,7 +362,7 @@ mod tests {
             }
         }
         let positions: Vec<[f64; 3]> = (0..5000u32).map(|i| [f64::from(i % 1250), 0.0, 0.0]).collect();
-        let found = lowest_of_equal(&positions, |[x, _, _]| Colliding(x as u32));
+        let found = lowest_of_equal(&positions, f64::is_finite, |[x, _, _]| Colliding(x as u32));
         assert!(found.iter().zip(0..).all(|(lowest, vertex)| lowest.0 == vertex % 1250));
     }
 

@@ -68,6 +68,7 @@ impl Emptied {
         for removed in &repaired.removed_faces {
             let (pass, reason) = (removed.pass, removed.reason);
             let option = option_behind(passes, stored, removed.face, reason);
+            let option = option.map(|option| option + after_rounding(repaired));
             let same = |cause: &&mut EmptyingCause| {
                 (cause.pass, cause.reason, &cause.option) == (pass, reason, &option)
             };
@@ -77,6 +78,16 @@ impl Emptied {
             }
         }
         Emptied { faces: stored.counts().faces, causes }
+    }
+}
+
+/// What else is behind an option where rounding to single precision emptied faces.
+fn after_rounding(repaired: &Repaired) -> &'static str {
+    match repaired.rounding {
+        Some(rounding) if rounding.emptied > 0 => {
+            " after rounding to single precision, which --encoding ascii spares"
+        }
+        _ => "",
     }
 }
 
@@ -114,6 +125,7 @@ fn option_behind(
 fn weld_option(distance: Distance) -> String {
     match distance {
         Distance::Exact => "--weld exact".to_owned(),
+        Distance::Single => "--weld single".to_owned(),
         Distance::Absolute(length) => format!("--weld {length}"),
         Distance::Relative(part) => format!("--weld {}%", part * 100.0),
     }

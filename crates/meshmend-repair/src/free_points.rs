@@ -56,6 +56,8 @@ impl Precision {
 pub struct Clearance {
     /// How precisely the result is stored.
     pub precision: Precision,
+    /// How precisely positions are told apart when the result is welded.
+    pub apart: Precision,
     /// Vertices within this distance of each other become one when the result is welded; 0 if only equal ones do.
     pub tolerance: f64,
     /// What becomes of vertices that no face uses.
@@ -84,13 +86,10 @@ pub(crate) struct FreePoints {
 type Place = [u64; 3];
 
 enum Taken {
-    Places(BTreeSet<Place>),
+    /// As they are told apart.
+    Places { places: BTreeSet<Place>, apart: Precision },
     /// By cubes of twice the tolerance: what is within the tolerance is in the same cube or one beside it.
-    Cubes {
-        cubes: BTreeMap<[i64; 3], BTreeMap<Place, Point>>,
-        near: Nearness,
-        side: f64,
-    },
+    Cubes { cubes: BTreeMap<[i64; 3], BTreeMap<Place, Point>>, near: Nearness, side: f64 },
 }
 
 impl FreePoints {
@@ -103,7 +102,7 @@ impl FreePoints {
             let near = Nearness::within(tolerance);
             Taken::Cubes { cubes: BTreeMap::new(), near, side: 2.0 * tolerance }
         } else {
-            Taken::Places(BTreeSet::new())
+            Taken::Places { places: BTreeSet::new(), apart: clearance.apart }
         };
         let mut free = FreePoints { clearance, taken, walked: BTreeMap::new() };
         vertices.for_each(|vertex| free.taken.insert(vertex));
@@ -165,16 +164,16 @@ impl FreePoints {
     }
 
     fn stepped(&self, x: f64, steps: i64) -> f64 {
-        let Clearance { precision, tolerance, .. } = self.clearance;
-        if tolerance > 0.0 { x + steps as f64 * (2.0 * tolerance) } else { precision.moved(x, steps) }
+        let Clearance { apart, tolerance, .. } = self.clearance;
+        if tolerance > 0.0 { x + steps as f64 * (2.0 * tolerance) } else { apart.moved(x, steps) }
     }
 }
 
 impl Taken {
     fn insert(&mut self, point: Point) {
         match self {
-            Taken::Places(places) => {
-                places.insert(place(point));
+            Taken::Places { places, apart } => {
+                places.insert(place(apart.round(point)));
             }
             Taken::Cubes { cubes, side, .. } => {
                 if is_finite(&point) {
@@ -188,7 +187,11 @@ impl Taken {
     /// its ends, again and again.
     fn is_free(&self, point: Point, last_two: &mut [Option<Point>; 2]) -> bool {
         match self {
-            Taken::Places(places) => !places.contains(&place(point)),
+            Taken::Places { places, apart } => {
+                let point = apart.round(point);
+                // What is beyond all numbers is welded to nothing.
+                !is_finite(&point) || !places.contains(&place(point))
+            }
             Taken::Cubes { cubes, near, side } => {
                 if last_two.iter().flatten().any(|&vertex| near.are_near(vertex, point)) {
                     return false;
@@ -245,7 +248,25 @@ mod tests {
     const ENDS: [Point; 2] = [[0.0; 3], [8.0, 4.0, 4.0]];
 
     fn clearance(precision: Precision, tolerance: f64) -> Clearance {
-        Clearance { precision, tolerance, unused: Unused::Kept }
+        Clearance { precision, apart: precision, tolerance, unused: Unused::Kept }
+    }
+
+    /// Where vertices that are equal in single precision are joined, a created one differs from all in that sense, and
+    /// need not be rounded itself.
+    #[test]
+    fn what_is_told_apart_in_single_precision_needs_room_there() {
+        let apart = Clearance { apart: Precision::Single, ..Clearance::default() };
+        let ends = [[1.0, 0.0, 0.0], [1.0 + 1e-9, 1e-9, 0.0]];
+        let mut free = beside(apart, &ends);
+        let found = free.on_edge(ends).0;
+        assert_eq!(found, [1.0 + 5e-10, 5e-10, 0.0]);
+        let ends = [[1.0, 1.0, 1.0], [1.0 + 1e-9, 1.0, 1.0]];
+        let mut free = beside(apart, &ends);
+        let beside_edge: Vec<f64> = (0..2).map(|_| free.on_edge(ends).0[1]).collect();
+        assert_eq!(beside_edge, [1.0_f32.next_up(), 1.0_f32.next_down()].map(f64::from));
+        let ends = [[1e39, 0.0, 0.0], [1.5e39, 0.0, 0.0]];
+        let middle = 1e39 + (1.5e39 - 1e39) / 2.0;
+        assert_eq!(beside(apart, &ends).on_edge(ends), ([middle, 0.0, 0.0], (1, 2)));
     }
 
     fn beside(clearance: Clearance, vertices: &[Point]) -> FreePoints {

@@ -36,7 +36,7 @@ mod volume;
 mod weld;
 
 pub use clean::{Clean, NonFinite, Repeated};
-pub use coincident::coincident_vertices;
+pub use coincident::{Coincidence, coincident_in_single, coincident_vertices};
 pub use compact::{Compact, LooseElements};
 pub use cut::{
     CutAlong, CutError, CutOpen, CutSeam, Discs, Piece, SquareCut, cut_open, cut_to_discs, cut_to_square,
@@ -48,6 +48,7 @@ pub use examined::Examined;
 pub use figures::Figures;
 pub use free_points::{Clearance, Precision, Unused};
 pub use mended::Mended;
+pub use meshmend_geometry::rounding::Rounding;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};
 pub use pass::{Context, History, Outcome, Pass, PassError};
 pub use pipeline::{FaceStorage, PassRecord, Pipeline, RemovedFace, Repaired};

@@ -6,6 +6,7 @@ mod run;
 use std::sync::atomic::AtomicBool;
 
 use meshmend_core::{Defect, DefectKind, Differences, FaceId, PolygonMesh, Provenance};
+use meshmend_geometry::rounding::{Rounding, in_single_precision};
 use meshmend_kernels::KernelKind;
 use meshmend_topology::{TopologyReport, Witness};
 
@@ -13,8 +14,9 @@ pub use self::rounds::FaceStorage;
 use self::run::Run;
 use crate::figures::Figures;
 use crate::{
-    AnyPass, Clearance, Compact, Context, Emptied, Emptying, Examined, Mended, NonOrientable, Orient,
-    Outcome, PassError, PassKind, Precision, Repeated, SeamFigures, Seams, Side, TellingLayers, Unused,
+    AnyPass, Clearance, Compact, Context, Distance, Emptied, Emptying, Examined, Mended, NonOrientable,
+    Orient, Outcome, PassError, PassKind, Precision, Repeated, SeamFigures, Seams, Side, TellingLayers,
+    Unused,
 };
 
 /// Passes in order, with their options.
@@ -62,6 +64,8 @@ pub struct Repaired {
     pub removed_faces: Vec<RemovedFace>,
     /// How many stored normals turned with their faces: one a corner, or one a face where they are those of faces.
     pub turned_normals: usize,
+    /// What rounding all positions did before the first pass, where the result's precision made it necessary.
+    pub rounding: Option<Rounding>,
     /// The topology of the result, if the last pass was `recompute`.
     pub report: Option<Box<TopologyReport>>,
     /// How many vertices were joined to others and are apart again in the result, each in its own place: that is no
@@ -102,7 +106,7 @@ pub struct PassRecord {
 impl Repaired {
     /// Whether what is written differs from what was read, apart from the format.
     pub fn is_changed(&self) -> bool {
-        self.passes.iter().any(|pass| pass.is_changed)
+        self.rounding.is_some() || self.passes.iter().any(|pass| pass.is_changed)
     }
 
     /// Takes note of what a writer makes of the result, where that stores vertices otherwise than the result does. If it
@@ -161,8 +165,9 @@ impl Pipeline {
         Pipeline { takes_figures: true, ..self }
     }
 
-    /// The pipeline making a result that is stored in this precision: vertices that it creates are rounded first, and
-    /// then put where they are not rounded onto another one.
+    /// The pipeline making a result that is stored in this precision. All positions are rounded first, before any pass, so
+    /// that what is judged is what will be read; vertices that it creates are rounded, and then put where they are not
+    /// rounded onto another one.
     pub fn in_precision(self, precision: Precision) -> Self {
         Pipeline { precision, ..self }
     }
@@ -209,7 +214,11 @@ impl Pipeline {
         cancel: Option<&AtomicBool>,
         observe: impl FnMut(PassKind),
     ) -> Result<Repaired, PassError> {
-        self.run_all(&self.passes, Run::begin(mesh, self.takes_figures), cancel, observe)
+        let run = match self.rounded(mesh) {
+            Some((mesh, rounding)) => Run::begin(&mesh, self.takes_figures).after_rounding(rounding),
+            None => Run::begin(mesh, self.takes_figures),
+        };
+        self.run_all(&self.passes, run, cancel, observe)
     }
 
     /// Repairs a mesh that was looked at before, as [`run_watched`](Self::run_watched) does. What was found out then and is
@@ -223,6 +232,9 @@ impl Pipeline {
         cancel: Option<&AtomicBool>,
         mut observe: impl FnMut(PassKind),
     ) -> Result<Repaired, PassError> {
+        if self.rounded(&examined.stored).is_some() {
+            return self.run_watched(&examined.stored, cancel, observe);
+        }
         let Examined { stored, mesh, weld, kernel, report } = examined;
         let known = (kernel == self.kernel && report.witness == Witness::default()).then_some(report);
         let (mut run, mut passes) = (Run::begin(&stored, self.takes_figures), self.passes.as_slice());
@@ -300,12 +312,23 @@ impl Pipeline {
         self.held_layers.as_deref().map_or(TellingLayers::All, TellingLayers::Only)
     }
 
+    /// The mesh in the precision of the result, if it is not in it already.
+    fn rounded(&self, mesh: &PolygonMesh) -> Option<(PolygonMesh, Rounding)> {
+        match self.precision {
+            Precision::Double => None,
+            Precision::Single => in_single_precision(mesh),
+        }
+    }
+
     /// What the vertices that its passes create keep clear of, when vertices within a tolerance were joined.
     pub fn clearance(&self, tolerance: f64) -> Clearance {
         let removes_all =
             |pass: &AnyPass| matches!(pass, AnyPass::Compact(compact) if *compact == Compact::default());
         let unused = if self.passes.iter().any(removes_all) { Unused::Removed } else { Unused::Kept };
-        Clearance { precision: self.precision, tolerance, unused }
+        let welds_in_single =
+            |pass: &AnyPass| matches!(pass, AnyPass::Weld(weld) if weld.distance == Distance::Single);
+        let apart = if self.passes.iter().any(welds_in_single) { Precision::Single } else { self.precision };
+        Clearance { precision: self.precision, apart, tolerance, unused }
     }
 
     /// Fails when `recompute` ended the pipeline and found what a pass had promised to remove.
@@ -345,7 +368,7 @@ mod tests {
     use meshmend_topology::topology;
 
     use super::*;
-    use crate::{Distance, NonFinite, Plan};
+    use crate::{NonFinite, Plan};
 
     fn failure(pipeline: &Pipeline, soup: &Soup) -> PassError {
         pipeline.run(&soup.mesh()).unwrap_err()

@@ -5,7 +5,7 @@
 //! empty = "refuse"                    # allow: a result without a face
 //!
 //! [weld]
-//! distance = { relative = 1e-6 }      # or "exact", or { absolute = 0.01 }
+//! distance = { relative = 1e-6 }      # or "exact", "single", { absolute = 0.01 }
 //!
 //! [clean]
 //! non-finite = "drop"                 # keep, fail

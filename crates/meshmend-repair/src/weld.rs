@@ -4,6 +4,7 @@
 //! seams of texture or normals.
 //!
 //! *Exact* (default): positions equal as numbers: −0 equals 0, and what is not finite equals nothing.
+//! *Single*: positions equal after each coordinate is rounded to single precision.
 //! *Tolerance ε*: the connected components of "distance ≤ ε", so no pair within ε is missed.
 //!
 //! 1. Find the classes.
@@ -21,7 +22,7 @@ use meshmend_core::{DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Mended, Outcome, Pass, PassError, coincident_vertices, near};
+use crate::{Context, Mended, Outcome, Pass, PassError, coincident_in_single, coincident_vertices, near};
 
 /// Joins vertices that are in the same place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -38,6 +39,9 @@ pub enum Distance {
     /// When their positions are equal as numbers.
     #[default]
     Exact,
+    /// When their positions are equal after each coordinate is rounded to single precision: for files whose last digits are
+    /// noise.
+    Single,
     /// When a chain of vertices joins them, each within so many units of length of the next.
     Absolute(f64),
     /// The same, in parts of a bounding box's diagonal: 0.001 is a thousandth of it. The box is that of the vertices
@@ -76,7 +80,8 @@ impl Pass for Weld {
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
         let lowest = match self.distance {
             Distance::Exact => coincident_vertices(mesh),
-            _ => within(mesh, self.tolerance_on(mesh), context)?,
+            Distance::Single => coincident_in_single(mesh),
+            Distance::Absolute(_) | Distance::Relative(_) => within(mesh, self.tolerance_on(mesh), context)?,
         };
         join_to(mesh, lowest)
     }
@@ -88,7 +93,7 @@ impl Weld {
     /// *Cost*: linear where the distance is relative, else constant.
     pub fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
         match self.distance {
-            Distance::Exact => 0.0,
+            Distance::Exact | Distance::Single => 0.0,
             Distance::Absolute(epsilon) => epsilon,
             Distance::Relative(part) => part * diagonal(mesh),
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Severity, Sources, VertexId};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{Examined, PassError, Weld, coincident_vertices};
+use meshmend_repair::{Coincidence, Distance, Examined, PassError, Weld};
 use meshmend_topology::{TopologyReport, Witness};
 use serde::Serialize;
 
@@ -36,6 +36,9 @@ pub struct CheckReport {
     pub topology: TopologyReport,
     /// Which kernels hold it.
     pub kernels: Vec<KernelVerdict>,
+    /// How many vertices would be joined to others in single precision, beyond those at the same position. Those are told
+    /// by the defects, and within a distance nothing is counted.
+    pub joined_in_single: u64,
     /// The vertices that exact welding would join to a lower one; nothing where the view is welded.
     coincident: Vec<(VertexId, VertexId)>,
 }
@@ -115,11 +118,24 @@ impl CheckReport {
         (mesh, vertex_sources): (PolygonMesh, Sources<VertexId>),
         topology: TopologyReport,
     ) -> Self {
-        let lowest = if view == View::Indexed { coincident_vertices(&mesh) } else { Vec::new() };
-        let joined = (0..).map(VertexId).zip(lowest).filter(|(vertex, lowest)| vertex != lowest);
-        let coincident = joined.collect();
+        let (mut coincident, mut joined_in_single) = (Vec::new(), 0);
+        if matches!(view, View::Indexed | View::Welded(Distance::Exact)) {
+            let Coincidence { exactly, only_in_single } = Coincidence::of(mesh.positions());
+            let joined = (0..).map(VertexId).zip(exactly).filter(|(vertex, lowest)| vertex != lowest);
+            coincident.extend(joined.filter(|_| view == View::Indexed));
+            joined_in_single = only_in_single as u64;
+        }
         let kernels = Vec::new();
-        let mut report = CheckReport { view, stored, mesh, vertex_sources, topology, kernels, coincident };
+        let mut report = CheckReport {
+            view,
+            stored,
+            mesh,
+            vertex_sources,
+            topology,
+            kernels,
+            joined_in_single,
+            coincident,
+        };
         report.kernels = KernelKind::ALL.iter().map(|&kernel| report.verdict(kernel)).collect();
         report
     }
@@ -224,7 +240,6 @@ fn not_admitted(kernel: KernelKind) -> impl Iterator<Item = DefectKind> {
 #[cfg(test)]
 mod tests {
     use meshmend_core::{FaceTableBuilder, admission};
-    use meshmend_repair::Distance;
 
     use super::*;
 
@@ -281,6 +296,20 @@ mod tests {
             check(&mesh, &CheckOptions { view, ..CheckOptions::default() }),
             Err(PassError::Request { .. })
         ));
+    }
+
+    #[test]
+    fn what_single_precision_would_join_is_counted_beyond_what_is_equal() {
+        let x = 548_123.41;
+        let noisy = [[x, 0.0, 0.0], [1.0, 0.0, 0.0], [x, 1.0, 0.0], [x, 0.0, 0.0], [x + 1e-5, 0.0, 0.0]];
+        let mesh = mesh(&noisy, &[&[0, 1, 2], &[3, 2, 1], &[4, 2, 1]]);
+        let count = |view| check(&mesh, &CheckOptions { view, ..CheckOptions::default() }).unwrap();
+        let indexed = count(View::Indexed);
+        assert_eq!((indexed.joined_in_single, indexed.count(DefectKind::CoincidentVertex)), (1, 1));
+        let exact = count(View::Welded(Distance::Exact));
+        assert_eq!((exact.joined_in_single, exact.topology.vertices), (1, 4));
+        let single = count(View::Welded(Distance::Single));
+        assert_eq!((single.joined_in_single, single.topology.vertices), (0, 3));
     }
 
     #[test]

@@ -21,7 +21,7 @@ pub(crate) struct Check {
     /// The mesh files: OBJ, PLY, STL or OFF
     #[arg(required = true, value_name = "FILE")]
     pub(super) files: Vec<PathBuf>,
-    /// Judge as welded: none, exact, a length, or a percentage of the bounding box's diagonal such as 0.01%
+    /// Judge as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal such as 0.01%
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,
     /// The structure to compute on; the answers are the same, unless it can't hold the mesh

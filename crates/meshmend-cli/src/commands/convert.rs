@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use meshmend::io::{ColorElements, NoteKind, decode_stl_colors};
+use meshmend::{Format, PolygonMesh, ReadFile, WriteOptions};
 
 use super::{name, read};
 use crate::console::Console;
@@ -22,22 +24,70 @@ pub(crate) struct Convert {
     /// The file to write; it may be the same
     #[arg(value_name = "OUT")]
     output: PathBuf,
+    /// What the attribute bytes of a binary STL file become in another format
+    #[arg(long, value_enum, default_value_t = StlColors::Keep)]
+    stl_colors: StlColors,
     #[command(flatten)]
     words: OutputWords,
+}
+
+/// What attribute bytes of facets become.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum StlColors {
+    /// They stay the numbers that they are
+    Keep,
+    /// Colours: as Materialise Magics has them if the header says `COLOR=`, else as VisCAM has them
+    Decode,
 }
 
 impl Convert {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let options = self.words.options(&self.output)?;
         Files::of_mesh(&self.input).writing("the output", Some(&self.output), Content::Mesh).check()?;
+        self.check_colors(&options)?;
         let progress = console.progress(2);
         progress.step("read");
-        let file = read(&self.input)?;
+        let mut file = read(&self.input)?;
+        file.mesh = self.decoded(&file, &options)?;
+        let options = options.as_read(&file);
         progress.step("write");
-        let losses = meshmend::write(&self.output, &file.mesh, &options.as_read(&file))?;
+        let losses = meshmend::write(&self.output, &file.mesh, &options)?;
         drop(progress);
         let text = render::conversion(&name(&self.input), &name(&self.output), &file, &losses);
-        console.write(&text)?;
+        console.write(&(text + self.hint(&file, &options)))?;
         Ok(Status::Done)
+    }
+
+    /// Fails when colours are to be decoded for a format that keeps them as they are.
+    fn check_colors(&self, options: &WriteOptions) -> Result<(), Failure> {
+        if self.stl_colors == StlColors::Decode && options.format == Some(Format::Stl) {
+            let reason = "--stl-colors decode has no meaning for STL, which keeps colours as attribute bytes";
+            return Err(Failure::usage(reason));
+        }
+        Ok(())
+    }
+
+    /// The mesh with colours where an STL file has attribute bytes: of the faces, or in OBJ, which has none, of the vertices.
+    fn decoded(&self, file: &ReadFile, options: &WriteOptions) -> Result<PolygonMesh, Failure> {
+        if self.stl_colors == StlColors::Keep || file.format != Format::Stl {
+            return Ok(file.mesh.clone());
+        }
+        let elements = match options.format {
+            Some(Format::Obj) => ColorElements::Vertices,
+            _ => ColorElements::Faces,
+        };
+        decode_stl_colors(&file.mesh, elements)
+            .map_err(|error| Failure::unwritable(&name(&self.output), error))
+    }
+
+    /// A line about attribute bytes that might have become colours.
+    fn hint(&self, file: &ReadFile, options: &WriteOptions) -> &'static str {
+        let may_be_colors = file.notes.iter().any(|note| note.kind == NoteKind::PerhapsColors);
+        let are_kept = self.stl_colors == StlColors::Keep && options.format != Some(Format::Stl);
+        if may_be_colors && are_kept {
+            "\nthe attribute bytes are written as numbers; --stl-colors decode makes colours of them\n"
+        } else {
+            ""
+        }
     }
 }

@@ -84,6 +84,10 @@ impl Flatten {
         let progress = console.progress(3);
         progress.step("read");
         let file = read(&self.input)?;
+        let target = match target {
+            Target::Mesh(options) => Target::Mesh(options.as_read(&file)),
+            Target::Picture => target,
+        };
         progress.step("flatten");
         let view = View::usual_for(file.format);
         let request = self.request();

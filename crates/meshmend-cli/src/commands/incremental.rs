@@ -25,7 +25,7 @@ pub(crate) struct Incremental {
     /// The mesh file: OBJ, PLY, STL or OFF
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
-    /// Take the mesh as welded: none, exact, a length, or a percentage of the bounding box's diagonal
+    /// Take the mesh as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,
     /// Print one JSON object

@@ -22,7 +22,7 @@ pub(crate) struct Kernels {
     /// The mesh file
     #[arg(value_name = "FILE")]
     pub(super) file: Option<PathBuf>,
-    /// Look at the mesh as welded: none, exact, a length, or a percentage of the bounding box's diagonal
+    /// Look at the mesh as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding, requires = "file")]
     weld: Option<Welding>,
     /// Time each kernel: built, and asked the usual questions

@@ -59,7 +59,7 @@ pub(crate) struct Render {
     /// Draw the mesh beside what the default repair makes of it
     #[arg(long)]
     before_after: bool,
-    /// Draw as welded: none, exact, a length, or a percentage of the bounding box's diagonal; by default exact for
+    /// Draw as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal; by default exact for
     /// STL, which has no indices, and none for others
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,

@@ -4,12 +4,12 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use meshmend::io::{Prepared, held_layers, replace_file};
-use meshmend::repair::FaceStorage;
+use meshmend::io::{Prepared, held_layers, replace_file, rounding_losses};
+use meshmend::repair::{FaceStorage, Precision};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
-    CheckOptions, CheckReport, Examined, Format, KernelKind, PassKind, PolygonMesh, ReadFile, Repaired, View,
-    WriteError, WriteOptions, check, check_before_repair,
+    CheckOptions, CheckReport, Encoding, Examined, Format, KernelKind, PassKind, PolygonMesh, ReadFile,
+    Repaired, View, WriteError, WriteOptions, check, check_before_repair,
 };
 
 use super::check::json_line;
@@ -66,6 +66,14 @@ struct Target<'a> {
 }
 
 impl Target<'_> {
+    /// How precisely the file stores positions.
+    fn precision(&self) -> Precision {
+        match self.options.resolved() {
+            Ok((Format::Stl, encoding)) if encoding != Encoding::Ascii => Precision::Single,
+            _ => Precision::Double,
+        }
+    }
+
     /// A mesh that is ready to be written there.
     fn prepared(&self, mesh: &PolygonMesh) -> Result<Prepared, Failure> {
         let failed = |kind| WriteError { file: name(self.path), kind };
@@ -116,6 +124,7 @@ impl Repair {
         };
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         progress.step("check");
+        let pipeline = pipeline.in_precision(target.as_ref().map_or(Precision::Double, Target::precision));
         let (before, examined) = if self.quiet { None } else { Some(self.before(&file)?) }.unzip();
         let observe = |pass: PassKind| progress.step(pass.name());
         let run = match examined {
@@ -137,7 +146,7 @@ impl Repair {
         }
         progress.step("write");
         let prepared = target.as_ref().map(|target| target.prepared(&repaired.mesh)).transpose()?;
-        self.name_output(target.as_ref(), prepared.as_ref(), &mut document);
+        self.name_output(target.as_ref(), prepared.as_ref(), &repaired, &mut document);
         self.write(target.as_ref().zip(prepared.as_ref()), &document)?;
         drop(progress);
         console.write(&self.text(&document, console.style())?)?;
@@ -187,10 +196,14 @@ impl Repair {
         &self,
         target: Option<&Target<'_>>,
         prepared: Option<&Prepared>,
+        repaired: &Repaired,
         document: &mut RepairDocument,
     ) {
         let (Some(Target { path, options }), Some(prepared)) = (target, prepared) else { return };
-        document.losses = prepared.losses();
+        let vertices = document.stored.before.vertices;
+        document.losses =
+            repaired.rounding.map_or(Vec::new(), |rounding| rounding_losses(rounding, vertices));
+        document.losses.extend(prepared.losses());
         if self.dry_run {
             return;
         }

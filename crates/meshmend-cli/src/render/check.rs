@@ -47,17 +47,25 @@ fn heading(document: &CheckDocument, style: Style) -> String {
 
 fn view(document: &CheckDocument) -> String {
     let joined = document.group(DefectKind::CoincidentVertex).map_or(0, |group| group.count);
-    match document.weld {
+    let view = match document.weld {
         None if joined > 0 => {
             let joined = counted(joined, "vertex");
             format!("judged as stored; exact welding would join {joined} to others (--weld exact)")
         }
         None => "judged as stored; exact welding would join nothing".to_owned(),
         Some(Distance::Exact) => "judged as welded: vertices at the same position are one".to_owned(),
+        Some(Distance::Single) => {
+            "judged as welded: vertices at the same position in single precision are one".to_owned()
+        }
         Some(Distance::Absolute(length)) => format!("judged as welded: vertices within {length} are one"),
         Some(Distance::Relative(part)) => {
             format!("judged as welded: vertices within {part} of the bounding box's diagonal are one")
         }
+    };
+    match document.joined_in_single {
+        0 => view,
+        1 => format!("{view}; 1 more vertex would be joined in single precision (--weld single)"),
+        more => format!("{view}; {more} more vertices would be joined in single precision (--weld single)"),
     }
 }
 

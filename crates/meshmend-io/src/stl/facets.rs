@@ -24,7 +24,7 @@ impl Rows for Facets {
 
     #[inline]
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
-        let (start, normal, corners, end) = facet(text, at)?;
+        let Facet { start, normal, corners, end } = facet(text, at)?;
         self.positions.extend_from_slice(&corners);
         self.recomputed.see(normal, corners, start);
         Some(end)
@@ -47,9 +47,17 @@ impl Rows for Facets {
     }
 }
 
-/// The facet that begins at a byte, after blanks or empty lines: where, its normal, its corners, and where it ends.
+/// One facet, and the bytes that it has.
+struct Facet {
+    start: usize,
+    normal: [f64; 3],
+    corners: [[f64; 3]; 3],
+    end: usize,
+}
+
+/// The facet that begins at a byte, after blanks or empty lines.
 #[inline]
-fn facet(text: &[u8], at: usize) -> Option<(usize, [f64; 3], [[f64; 3]; 3], usize)> {
+fn facet(text: &[u8], at: usize) -> Option<Facet> {
     let mut line = Line::from(text, at);
     let start = line.at;
     line.pass(b"facet")?;
@@ -73,5 +81,5 @@ fn facet(text: &[u8], at: usize) -> Option<(usize, [f64; 3], [[f64; 3]; 3], usiz
     line.pass(b"endloop")?;
     line = Line::from(text, line.end()?);
     line.pass(b"endfacet")?;
-    Some((start, normal, corners, line.end()?))
+    Some(Facet { start, normal, corners, end: line.end()? })
 }

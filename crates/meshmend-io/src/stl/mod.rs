@@ -95,7 +95,8 @@ fn sniff(bytes: &[u8]) -> bool {
 /// Rounds positions where they are stored in single precision, so that all else is about what will be read again, and cuts
 /// polygons into triangles.
 fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
-    let rounded = if prepared.encoding == Encoding::Ascii { None } else { in_single_precision(&prepared.mesh) };
+    let rounded =
+        if prepared.encoding == Encoding::Ascii { None } else { in_single_precision(&prepared.mesh) };
     if let Some((mesh, rounding)) = rounded {
         let vertices = mesh.counts().vertices;
         prepared.mesh = mesh;

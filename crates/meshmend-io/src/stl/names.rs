@@ -25,7 +25,8 @@ enum Next {
 
 impl<'a> Names<'a> {
     pub(super) fn new(text: &'a [u8]) -> Self {
-        Names { text, searched: 1..0, next: Next::LineEnd }
+        // No name begins at the first byte.
+        Names { text, searched: 0..0, next: Next::LineEnd }
     }
 
     /// Where the name ends that begins at a byte, after the word `solid`.

@@ -3,6 +3,7 @@
 use meshmend_core::{
     Defect, DefectKind, Differences, FaceId, Id, PolygonMesh, Provenance, VertexId, turned_normals,
 };
+use meshmend_geometry::rounding::Rounding;
 use meshmend_topology::TopologyReport;
 
 use super::{FaceStorage, PassRecord, RemovedFace, Repaired};
@@ -17,6 +18,7 @@ pub(super) struct Run {
     /// Where the records of the last round begin.
     round: usize,
     removed_faces: Vec<RemovedFace>,
+    rounding: Option<Rounding>,
     pub(super) report: Option<Box<TopologyReport>>,
     /// The topology of the mesh, if it was known before the pipeline looked at it.
     pub(super) known: Option<TopologyReport>,
@@ -37,12 +39,18 @@ impl Run {
             passes: Vec::new(),
             round: 0,
             removed_faces: Vec::new(),
+            rounding: None,
             report: None,
             known: None,
             tolerance: 0.0,
             takes_figures,
             figures: Vec::new(),
         }
+    }
+
+    /// On a mesh whose positions were rounded before.
+    pub(super) fn after_rounding(self, rounding: Rounding) -> Self {
+        Run { rounding: Some(rounding), ..self }
     }
 
     /// Takes over what a pass did.
@@ -148,7 +156,7 @@ impl Run {
         removed_faces.sort_by_key(|removed| removed.face);
         removed_faces.dedup_by_key(|removed| removed.face);
         let turned_normals = turned_normals(self.history.stored(), &self.mesh, &provenance);
-        let Run { mut mesh, mut passes, report, .. } = self;
+        let Run { mut mesh, mut passes, rounding, report, .. } = self;
         let mut provenance = provenance;
         if is_same {
             forget_changes(&mut passes);
@@ -157,7 +165,7 @@ impl Run {
                 provenance = Provenance::same(mesh.counts());
             }
         }
-        Repaired { mesh, provenance, passes, removed_faces, turned_normals, report, stitched }
+        Repaired { mesh, provenance, passes, removed_faces, turned_normals, rounding, report, stitched }
     }
 
     /// How many vertices the first pass joined to others that are apart from them in the result.

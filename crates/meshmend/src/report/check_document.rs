@@ -23,6 +23,8 @@ pub struct CheckDocument {
     pub view: &'static str,
     /// The distance of a welded view.
     pub weld: Option<Distance>,
+    /// How many vertices would be joined to others in single precision (`--weld single`), beyond those at the same position.
+    pub joined_in_single: u64,
     /// What is stored.
     pub stored: StoredCounts,
     /// The figures, each under its own key. The list of component kinds is cut to the limit.
@@ -70,6 +72,7 @@ impl CheckDocument {
             format: None,
             view: report.view.name(),
             weld: report.view.distance(),
+            joined_in_single: report.joined_in_single,
             stored: report.stored,
             topology,
             component_kinds_total,

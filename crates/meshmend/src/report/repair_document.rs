@@ -8,7 +8,7 @@ use meshmend_core::{
 };
 use meshmend_io::{Loss, Note};
 use meshmend_repair::{
-    EmptiedName, Figures, PassKind, PassRecord, RemovedFace, Repaired, SeamFigures, emptied_names,
+    EmptiedName, Figures, PassKind, PassRecord, RemovedFace, Repaired, Rounding, SeamFigures, emptied_names,
 };
 use serde::Serialize;
 
@@ -36,6 +36,8 @@ pub struct RepairDocument {
     pub before: Option<CheckDocument>,
     /// The mesh after, if it was looked at.
     pub after: Option<CheckDocument>,
+    /// What rounding all positions to the output's precision did before the first pass, where that moved any.
+    pub rounding: Option<RoundingFigures>,
     /// What each pass did, in order.
     pub passes: Vec<PassDocument>,
     /// The stored faces of which nothing is left.
@@ -62,6 +64,23 @@ pub struct BeforeAndAfter {
     pub before: StoredCounts,
     /// In the result.
     pub after: StoredCounts,
+}
+
+/// What rounding all positions did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct RoundingFigures {
+    /// How many vertices moved.
+    pub moved: usize,
+    /// How many vertices came to be where a lower one is, and were not before.
+    pub joined: usize,
+    /// How many faces lost their area.
+    pub emptied: usize,
+}
+
+impl From<Rounding> for RoundingFigures {
+    fn from(Rounding { moved, joined, emptied }: Rounding) -> Self {
+        RoundingFigures { moved, joined, emptied }
+    }
 }
 
 /// What one pass did.
@@ -183,6 +202,7 @@ impl RepairDocument {
             },
             before: None,
             after: None,
+            rounding: repaired.rounding.map(RoundingFigures::from),
             passes: repaired.passes.iter().map(|record| PassDocument::new(record, limit)).collect(),
             removed_faces: RemovedFaces::new(stored, &repaired.removed_faces, limit),
             emptied_names: Listing::cut(
