@@ -39,7 +39,7 @@ pub fn sniff(data: &[u8]) {
             assert_well_formed(&file.mesh);
         }
         Err(error) => {
-            assert_eq!(matches!(error.kind, ReadErrorKind::UnknownFormat), told.is_none(), "{error}");
+            assert_eq!(matches!(error.kind, ReadErrorKind::UnknownFormat { .. }), told.is_none(), "{error}");
         }
     }
     for &format in Format::ALL {

@@ -47,9 +47,12 @@ pub struct ReadError {
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ReadErrorKind {
-    /// Neither the name nor the content tells a format that is read here.
-    #[error("the format is not known; known are {}", known_formats())]
-    UnknownFormat,
+    /// Neither the name nor the content tells a format that is read here, or the content is surely something else.
+    #[error("{}", unknown(.looks_like))]
+    UnknownFormat {
+        /// What the content surely is, if that is known.
+        looks_like: Option<&'static str>,
+    },
     /// The system can't give the file's bytes.
     #[error("{0}")]
     Io(io::Error),
@@ -122,6 +125,13 @@ fn shown(place: &Place) -> String {
     }
 }
 
+fn unknown(looks_like: &Option<&str>) -> String {
+    match looks_like {
+        Some(name) => format!("looks like {name}; the formats that are read are {}", known_formats()),
+        None => format!("the format is not known; known are {}", known_formats()),
+    }
+}
+
 fn known_formats() -> String {
     let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
     names.join(", ")
@@ -191,7 +201,8 @@ mod tests {
     #[test]
     fn a_place_is_shown_between_file_and_reason() {
         let shown = |place| {
-            ReadError { file: "mesh.ply".into(), place, kind: ReadErrorKind::UnknownFormat }.to_string()
+            let kind = ReadErrorKind::UnknownFormat { looks_like: None };
+            ReadError { file: "mesh.ply".into(), place, kind }.to_string()
         };
         assert!(shown(Place::File).starts_with("mesh.ply: the format"));
         assert!(shown(Place::Line(4)).starts_with("mesh.ply: line 4: the format"));

@@ -52,8 +52,8 @@ pub(crate) struct Driver {
     pub(crate) encodings: &'static [Encoding],
     /// Whether faces may have more than three corners.
     pub(crate) holds_polygons: bool,
-    /// Whether a file that starts like this, and has no known name, is surely of this format.
-    pub(crate) sniff: fn(&[u8]) -> bool,
+    /// Whether a file that starts like this, and has so many bytes in all, is surely of this format, whatever its name.
+    pub(crate) sniff: fn(&[u8], u64) -> bool,
     pub(crate) read: fn(&Source<'_>, &Limits) -> ReadResult,
     /// Reads a source of which only the start is at hand and the rest comes as it is asked for; nothing, and nothing taken
     /// from the rest, where all has to be at hand.
@@ -134,7 +134,12 @@ impl Format {
 
     /// The format that content surely has, whatever the file is called.
     pub fn from_content(bytes: &[u8]) -> Option<Format> {
-        Format::ALL.iter().find(|format| (format.driver().sniff)(bytes)).copied()
+        Format::from_head(bytes, bytes.len() as u64)
+    }
+
+    /// The format that content surely has that starts so, and has so many bytes in all.
+    pub(crate) fn from_head(head: &[u8], length: u64) -> Option<Format> {
+        Format::ALL.iter().find(|format| (format.driver().sniff)(head, length)).copied()
     }
 }
 

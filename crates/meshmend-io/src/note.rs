@@ -49,6 +49,8 @@ pub enum NoteKind {
     SkippedComment,
     /// An end that the format asks for is missing, with nothing cut off.
     MissingEnd,
+    /// The name says another format than the content has.
+    WrongSuffix,
     /// Rows of a text do not stand on a line each, but come out even.
     WrappedRows,
     /// A header that is not written as its format says, but can be understood.

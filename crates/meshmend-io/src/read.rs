@@ -10,14 +10,14 @@ use crate::ahead::Pace;
 use crate::limits::STREAM_BYTES;
 use crate::note::Notes;
 use crate::obj::companions;
-use crate::{Format, Limits, Note, Place, ReadError, ReadErrorKind, Shell};
+use crate::{Format, Limits, Note, NoteKind, Place, ReadError, ReadErrorKind, Shell, foreign};
 
 /// How to read.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ReadOptions {
     /// What a file may hold at most.
     pub limits: Limits,
-    /// The format, where name and content don't matter.
+    /// The format, whatever name and content say.
     pub format: Option<Format>,
 }
 
@@ -36,7 +36,7 @@ pub struct ReadFile {
     pub shell: Shell,
 }
 
-/// Reads a mesh file. Its name tells the format; a name without a known extension lets the content tell.
+/// Reads a mesh file. Its content tells the format where it surely can, else its name does.
 ///
 /// No other file is opened but the material libraries that an OBJ names within its own folder, to see whether they and
 /// their images are there.
@@ -44,28 +44,25 @@ pub struct ReadFile {
 /// # Errors
 /// When the system can't read it, its format is not known, its content is malformed or beyond the limits.
 ///
-/// *Cost*: time is linear in the file's size. A text is held in memory while it is read; of binary values a block is, where
-/// the name or the options tell the format.
+/// *Cost*: time is linear in the file's size. A text is held in memory while it is read; of binary values a block is.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     let (name, limits) = (path.display().to_string(), &options.limits);
     let failed = |kind| ReadError { file: name.clone(), place: Place::File, kind };
-    let format = options.format.or_else(|| Format::from_path(path));
     let (mut file, announced) = open(path, limits).map_err(failed)?;
     let mut bytes = Vec::with_capacity(HEAD.min(announced));
     file.by_ref()
         .take(HEAD as u64)
         .read_to_end(&mut bytes)
         .map_err(|error| failed(ReadErrorKind::Io(error)))?;
-    if let (Some(format), HEAD) = (format, bytes.len())
-        && announced > HEAD
-    {
+    if bytes.len() == HEAD && announced > HEAD {
+        let told = Told::of(options.format, path, &bytes, announced as u64).map_err(failed)?;
         let head = Source { bytes: &bytes, length: announced, name: &name, pace: Pace::NONE };
-        if let Some(parsed) = (format.driver().read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
-            return parsed.map(|parsed| parsed.of(format));
+        if let Some(parsed) = (told.format.driver().read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
+            return told.outcome(parsed);
         }
     }
     let bytes = take_in(bytes, file, announced, Most::of(announced, limits)).map_err(failed)?;
-    read_as(&bytes, &name, format, limits).map(|file| companions::looked_for(file, path))
+    read_as(&bytes, &name, path, options).map(|file| companions::looked_for(file, path))
 }
 
 /// Reads a mesh from bytes, without a file system. The name tells the format as in [`read`], and stands in errors.
@@ -73,7 +70,20 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
 /// # Errors
 /// As [`read`], apart from the system.
 pub fn read_bytes(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<ReadFile, ReadError> {
-    read_as(bytes, name, options.format.or_else(|| Format::from_path(Path::new(name))), &options.limits)
+    read_as(bytes, name, Path::new(name), options)
+}
+
+/// Reads a mesh from a stream to its end, such as standard input. The name tells the format as in [`read`], and stands in
+/// errors.
+///
+/// # Errors
+/// As [`read`].
+///
+/// *Cost*: time is linear in what the stream gives, all of which is held in memory.
+pub fn read_stream(from: impl Read, name: &str, options: &ReadOptions) -> Result<ReadFile, ReadError> {
+    let failed = |kind| ReadError { file: name.to_owned(), place: Place::File, kind };
+    let bytes = take_in(Vec::new(), from, 0, Most::of(0, &options.limits)).map_err(failed)?;
+    read_as(&bytes, name, Path::new(name), options)
 }
 
 /// What of a file is read before its format's reader takes over.
@@ -134,18 +144,62 @@ impl Source<'_> {
     }
 }
 
-fn read_as(bytes: &[u8], name: &str, format: Option<Format>, limits: &Limits) -> Result<ReadFile, ReadError> {
+fn read_as(bytes: &[u8], name: &str, path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
+    let limits = &options.limits;
     let source = Source { bytes, length: bytes.len(), name, pace: Pace::of(bytes.len()) };
     source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
-    let extension_is_known = Path::new(name).extension().is_some_and(is_foreign);
-    let format = match format {
-        None if !extension_is_known => Format::from_content(bytes),
-        format => format,
-    };
-    let unknown =
-        || ReadError { file: name.to_owned(), place: Place::File, kind: ReadErrorKind::UnknownFormat };
-    let format = format.ok_or_else(unknown)?;
-    (format.driver().read)(&source, &limits.within_a_mesh()).map(|parsed| parsed.of(format))
+    let told = Told::of(options.format, path, bytes, bytes.len() as u64);
+    let told = told.map_err(|kind| ReadError { file: name.to_owned(), place: Place::File, kind })?;
+    told.outcome((told.format.driver().read)(&source, &limits.within_a_mesh()))
+}
+
+/// In which format some content is to be read.
+struct Told {
+    format: Format,
+    /// What the name says, where the content surely is something else.
+    name_says: Option<String>,
+}
+
+impl Told {
+    /// What the caller says, else what the content surely is, else what the name says.
+    fn of(wanted: Option<Format>, path: &Path, head: &[u8], length: u64) -> Result<Self, ReadErrorKind> {
+        let plain = |format| Ok(Told { format, name_says: None });
+        let by_name = Format::from_path(path);
+        if let Some(format) = wanted {
+            return plain(format);
+        }
+        if let Some(format) = by_name.filter(|format| (format.driver().sniff)(head, length)) {
+            return plain(format);
+        }
+        if let Some(format) = Format::from_head(head, length) {
+            let is_mesh = by_name.is_some() || path.extension().is_some_and(is_foreign);
+            let suffix = || path.extension().map(|suffix| suffix.to_string_lossy().into_owned());
+            return Ok(Told { format, name_says: if is_mesh { suffix() } else { None } });
+        }
+        let looks_like = foreign::looks_like(head, length);
+        match by_name {
+            Some(format) if looks_like.is_none() || length == 0 => plain(format),
+            _ => Err(ReadErrorKind::UnknownFormat { looks_like }),
+        }
+    }
+
+    /// What a reader says, and that the name says something else.
+    fn outcome(&self, parsed: Result<Parsed, ReadError>) -> Result<ReadFile, ReadError> {
+        let Some(suffix) = &self.name_says else { return parsed.map(|parsed| parsed.of(self.format)) };
+        let format = self.format;
+        let told = format!("the name ends in `{suffix}`, but the content is {format}");
+        match parsed {
+            Ok(mut parsed) => {
+                parsed.notes.add(NoteKind::WrongSuffix, &told, || Place::File);
+                Ok(parsed.of(format))
+            }
+            Err(ReadError { file, place, kind: ReadErrorKind::Malformed(reason) }) => {
+                let kind = ReadErrorKind::Malformed(format!("{reason} ({told})"));
+                Err(ReadError { file, place, kind })
+            }
+            Err(error) => Err(error),
+        }
+    }
 }
 
 /// Whether an extension stands for a mesh format that is not read here.

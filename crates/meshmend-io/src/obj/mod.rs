@@ -37,7 +37,7 @@ pub(crate) static DRIVER: Driver = Driver {
     extensions: &["obj"],
     encodings: &[Encoding::Ascii],
     holds_polygons: true,
-    sniff: read::sniff,
+    sniff: |head, _| read::sniff(head),
     read: read::read,
     read_blocks: |_, _, _| None,
     prepare: write::prepare,

@@ -16,13 +16,28 @@ use crate::read::{Parsed, Source};
 use crate::text::{self, is_blank, is_line_end};
 use crate::{Limits, NoteKind, ReadError};
 
-/// Content is taken for OBJ when its first statement that is no comment is one that OBJ files begin with.
+/// Whether a text surely is OBJ: it begins with a usual statement, and has a vertex, a texture coordinate or a normal.
 pub(super) fn sniff(bytes: &[u8]) -> bool {
-    const FIRST: [&[u8]; 5] = [b"v", b"mtllib", b"o", b"g", b"vn"];
+    const FIRST: [&[u8]; 8] = [b"v", b"mtllib", b"o", b"g", b"vn", b"vt", b"usemtl", b"s"];
     let start = &bytes[..bytes.len().min(1 << 16)];
-    let mut lines = start.split(|&b| is_line_end(b)).map(text::trimmed);
-    let first = lines.find(|line| !line.is_empty() && !line.starts_with(b"#"));
-    first.is_some_and(|line| line.len() > 1 && FIRST.contains(&text::word(line, 0)))
+    let lines = start.split(|&b| is_line_end(b)).map(text::trimmed);
+    let mut statements = lines.filter(|line| !line.is_empty() && !line.starts_with(b"#")).peekable();
+    let begins_so = statements.peek().is_some_and(|line| FIRST.contains(&text::word(line, 0)));
+    begins_so && statements.any(is_values)
+}
+
+/// Whether a line has the word of a vertex, a texture coordinate or a normal, and numbers alone behind it.
+fn is_values(line: &[u8]) -> bool {
+    let mut words = text::words(line);
+    let least = match words.next() {
+        Some(b"v" | b"vn") => 3,
+        Some(b"vt") => 1,
+        _ => return false,
+    };
+    let is_number = |word: &[u8]| text::real::<f64>(word).is_some_and(|(_, length)| length == word.len());
+    let mut count = 0;
+    let are_numbers = words.take_while(|word| !word.starts_with(b"#")).inspect(|_| count += 1).all(is_number);
+    are_numbers && count >= least
 }
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {

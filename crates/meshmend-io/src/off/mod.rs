@@ -36,7 +36,7 @@ pub(crate) static DRIVER: Driver = Driver {
     extensions: &["off", "coff", "noff", "cnoff", "stoff"],
     encodings: &[Encoding::Ascii],
     holds_polygons: true,
-    sniff: header::sniff,
+    sniff: |head, _| header::sniff(head),
     read: read::read,
     read_blocks: |_, _, _| None,
     prepare: write::prepare,

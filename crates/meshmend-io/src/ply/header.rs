@@ -38,8 +38,13 @@ pub(super) struct Header {
     pub(super) end: usize,
 }
 
+/// Whether a text surely begins as PLY: with its word on a line, and a statement on the next one.
 pub(super) fn sniff(bytes: &[u8]) -> bool {
-    text::word(bytes, 0) == b"ply" && text::trimmed(&bytes[..bytes.len().min(64)]).len() > 3
+    const STATEMENTS: [&[u8]; 4] = [b"format", b"comment", b"obj_info", b"element"];
+    let start = &bytes[..bytes.len().min(1 << 12)];
+    let mut lines = start.split(|&b| text::is_line_end(b)).map(text::trimmed);
+    let second = |line: &[u8]| STATEMENTS.contains(&text::word(line, 0));
+    lines.next() == Some(b"ply") && lines.find(|line| !line.is_empty()).is_some_and(second)
 }
 
 /// Reads the header; comments go to the metadata of the parts.

@@ -53,7 +53,7 @@ pub(crate) static DRIVER: Driver = Driver {
     extensions: &["ply"],
     encodings: &[Encoding::LittleEndian, Encoding::BigEndian, Encoding::Ascii],
     holds_polygons: true,
-    sniff: header::sniff,
+    sniff: |head, _| header::sniff(head),
     read: read::read,
     read_blocks: read::read_blocks,
     prepare: prepare::prepare,

@@ -86,9 +86,9 @@ fn read_blocks(head: &Source<'_>, rest: &mut dyn Read, limits: &Limits) -> Optio
 }
 
 /// Text that begins with `solid` and a facet, or binary of exactly the length that it claims.
-fn sniff(bytes: &[u8]) -> bool {
+fn sniff(bytes: &[u8], length: u64) -> bool {
     const START: usize = 1 << 12;
-    let is_exact = binary::claimed_length(bytes) == Some(bytes.len() as u64) && bytes.len() > HEAD;
+    let is_exact = binary::claimed_length(bytes) == Some(length) && bytes.len() > HEAD;
     is_exact || begins_with_solid(bytes) && names::holds_facet(&bytes[..bytes.len().min(START)])
 }
 

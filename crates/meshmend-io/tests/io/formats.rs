@@ -1,13 +1,13 @@
 //! What holds for all formats: how they are found, and that writing is all or nothing.
 
-use std::fs;
 use std::path::Path;
+use std::{fs, io};
 
 use crate::common::{Folder, written};
 use meshmend_core::{FaceTable, PolygonMesh, VertexId};
 use meshmend_io::{
-    Encoding, Format, Loss, LossKind, Place, ReadErrorKind, ReadOptions, WriteErrorKind, WriteOptions,
-    encode, losses, read, read_bytes, write,
+    Encoding, Format, Limits, Loss, LossKind, NoteKind, Place, ReadErrorKind, ReadOptions, WriteErrorKind,
+    WriteOptions, encode, losses, read, read_bytes, read_stream, write,
 };
 
 fn triangle() -> PolygonMesh {
@@ -64,14 +64,107 @@ fn content_that_may_be_anything_tells_no_format() {
 
 #[test]
 fn unknown_formats_are_an_error_of_their_own() {
-    let obj = b"v 0 0 0\n";
-    for (bytes, name) in [(&b"glTF\x02\0\0\0"[..], "a.glb"), (b"hello", "a.txt"), (b"", "a"), (obj, "a.gltf")]
-    {
+    for (bytes, name) in [(&b"hello"[..], "a.txt"), (b"o hello", "a"), (b"hello", "a.gltf")] {
         let error = read_bytes(bytes, name, &ReadOptions::default()).unwrap_err();
-        assert!(matches!(error.kind, ReadErrorKind::UnknownFormat), "{error}");
+        assert!(matches!(error.kind, ReadErrorKind::UnknownFormat { looks_like: None }), "{error}");
         let expected = format!("{name}: the format is not known; known are OBJ, PLY, STL, OFF");
         assert_eq!(error.to_string(), expected);
     }
+}
+
+#[test]
+fn what_is_surely_something_else_is_named_whatever_its_name() {
+    for (bytes, name) in [
+        (&b"glTF\x02\0\0\0"[..], "GLB (binary glTF)"),
+        (b"PK\x03\x04 3D/3dmodel.model", "3MF (a zip archive)"),
+        (b"\x1f\x8b\x08", "gzip-compressed data"),
+        (b"<!DOCTYPE html><html>", "HTML, a web page, perhaps in place of a download"),
+        (
+            b"version https://git-lfs.github.com/spec/v1\noid",
+            "a Git LFS pointer (`git lfs pull` fetches the file itself)",
+        ),
+        (b"\xff\xfev\0 \0", "text in UTF-16 (ASCII and UTF-8 are read)"),
+    ] {
+        for file in ["a.obj", "a.ply", "a.stl", "a.off", "a.glb", "a", "a.txt"] {
+            let error = read_bytes(bytes, file, &ReadOptions::default()).unwrap_err();
+            let expected =
+                format!("{file}: looks like {name}; the formats that are read are OBJ, PLY, STL, OFF");
+            assert_eq!(error.to_string(), expected);
+        }
+        // Who says what it is gets it read so.
+        let options = ReadOptions { format: Some(Format::Ply), ..Default::default() };
+        let error = read_bytes(bytes, "a.ply", &options).unwrap_err();
+        assert!(matches!(error.kind, ReadErrorKind::Malformed(_)), "{error}");
+    }
+}
+
+#[test]
+fn a_wrong_suffix_is_noted_and_the_content_read() {
+    let folder = Folder::new("suffix");
+    for &format in Format::ALL {
+        for &encoding in format.encodings() {
+            let (bytes, _) = written(&triangle(), format, encoding);
+            for suffix in ["obj", "PLY", "stl", "off", "gltf", "3mf"] {
+                let name = format!("mesh.{suffix}");
+                let of_bytes = read_bytes(&bytes, &name, &ReadOptions::default()).unwrap();
+                let path = folder.0.join(&name);
+                fs::write(&path, &bytes).unwrap();
+                let of_file = read(&path, &ReadOptions::default()).unwrap();
+                for file in [of_bytes, of_file] {
+                    assert_eq!((file.format, file.mesh.counts().faces), (format, 1), "{name}");
+                    let messages: Vec<&str> = file.notes.iter().map(|note| &note.message[..]).collect();
+                    let expected = format!("the name ends in `{suffix}`, but the content is {format}");
+                    let is_wrong = Format::from_extension(suffix) != Some(format);
+                    assert_eq!(messages, if is_wrong { vec![&expected[..]] } else { Vec::new() });
+                }
+            }
+        }
+    }
+    // Large binary files are told by their start.
+    let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).repeat(4000)).unwrap();
+    let mesh = PolygonMesh::new(triangle().positions().to_vec(), faces).unwrap();
+    for (format, suffix) in [(Format::Stl, "ply"), (Format::Ply, "stl"), (Format::Stl, "obj")] {
+        let path = folder.0.join(format!("large.{suffix}"));
+        fs::write(&path, written(&mesh, format, Encoding::LittleEndian).0).unwrap();
+        let file = read(&path, &ReadOptions::default()).unwrap();
+        assert_eq!((file.format, file.mesh.counts().faces), (format, 4000));
+        assert_eq!(file.notes.len(), 1);
+    }
+}
+
+#[test]
+fn an_error_in_a_file_with_a_wrong_suffix_says_what_it_was_read_as() {
+    let error = read_bytes(b"OFF\n3 1 0\n0 0 0\n", "a.stl", &ReadOptions::default()).unwrap_err();
+    let told = "(the name ends in `stl`, but the content is OFF)";
+    assert!(error.to_string().ends_with(told), "{error}");
+    assert_eq!(error.place, Place::Line(2));
+}
+
+#[test]
+fn what_may_be_anything_is_read_as_its_name_says() {
+    for (bytes, name, format) in [
+        (&b"# c\n"[..], "a.obj", Format::Obj),
+        (b"f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj", Format::Obj),
+        (b"3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off", Format::Off),
+        (b"solid v\nendsolid\n", "a.stl", Format::Stl),
+    ] {
+        let file = read_bytes(bytes, name, &ReadOptions::default()).unwrap();
+        assert_eq!(file.format, format, "{name}");
+        assert!(file.notes.iter().all(|note| note.kind != NoteKind::WrongSuffix), "{name}");
+    }
+}
+
+#[test]
+fn streams_are_told_by_their_content() {
+    for &format in Format::ALL {
+        let (bytes, _) = written(&triangle(), format, format.encodings()[0]);
+        let file = read_stream(&bytes[..], "a stream", &ReadOptions::default()).unwrap();
+        assert_eq!((file.format, file.mesh.counts().faces), (format, 1));
+    }
+    let limits = Limits { max_stream_bytes: 1000, ..Limits::default() };
+    let error = read_stream(io::repeat(b'v'), "a stream", &ReadOptions { limits, format: None }).unwrap_err();
+    assert!(matches!(error.kind, ReadErrorKind::LimitExceeded { limit: 1000, .. }), "{error}");
+    assert!(error.to_string().starts_with("a stream: "), "{error}");
 }
 
 #[test]
