@@ -1,7 +1,10 @@
 //! What vertices have beside their coordinates, and in which order.
 //!
 //! The format has normals before colours. MeshLab writes colours first, under the same letters. Which order a file has is
-//! told by its values: a number beyond 1 is no part of a unit normal, nor is one below 0 part of a colour.
+//! told by its values. MeshLab's normals are sums weighted by angles, and need not be of unit length: a number beyond a
+//! full turn is no part of a normal, nor is one below 0 part of a colour.
+
+use std::f64::consts::TAU;
 
 use meshmend_core::{Carry, Domain, Layer, Role, Values};
 
@@ -79,7 +82,7 @@ fn has_colors_first(pairs: &[&[u8]]) -> bool {
 
 /// What an order of the columns would mean.
 struct Order {
-    /// Whether no number of a normal is beyond 1.
+    /// Whether no number of a normal is beyond what angles add up to.
     has_normals: bool,
     has_zeros_alone: bool,
     has_units_alone: bool,
@@ -95,7 +98,7 @@ impl Order {
             Order { has_normals: true, has_zeros_alone: true, has_units_alone: true, has_colors: true };
         for (normal, color) in rows {
             // What is not finite is neither.
-            order.has_normals &= !numbers(normal).any(|x| x.abs() > 1.0 + SLACK);
+            order.has_normals &= !numbers(normal).any(|x| x.abs() > TAU + SLACK);
             order.has_zeros_alone &= numbers(normal).all(|x| x == 0.0);
             let square: f64 = numbers(normal).map(|x| x * x).sum();
             order.has_units_alone &= (square.sqrt() - 1.0).abs() <= SLACK;
@@ -135,6 +138,8 @@ mod tests {
             &["0 0 0 255 0 0 1", "200 10 10 255 nan nan nan"],
             &["0.5 1 0.2 1 -1 0 0"],
             &["10 20 30 0 0 1"],
+            // As MeshLab wrote it.
+            &["1 2 3 255 0 0 1.5708", "4 5 6 255 0 0 0.785398"],
             &["1 1 1 1 0 0 -1"],
         ] {
             assert!(first(rows), "{rows:?}");
