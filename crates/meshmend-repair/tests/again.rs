@@ -180,3 +180,40 @@ fn what_is_stitched_and_comes_apart_again_is_no_change() {
     assert_eq!((stl.is_changed(), stl.stitched, stl.mesh.counts().vertices), (false, 17, 8));
     assert!(Pipeline::default().run(&apart.mesh()).unwrap().is_changed());
 }
+
+/// Without `clean`, faces that come back to a vertex may be subdivided in each round: that has an end all the same.
+#[test]
+fn rounds_have_an_end_whatever_is_left_out() {
+    let points = [[3.0, 1.0, 1.0], [3.0, 2.0, 3.0], [1.0, 0.0, 2.0]];
+    let names: [[usize; 3]; 11] = [
+        [0, 1, 2],
+        [0, 0, 1],
+        [0, 1, 2],
+        [0, 1, 2],
+        [0, 2, 0],
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+        [2, 1, 0],
+        [1, 0, 0],
+        [0, 0, 2],
+    ];
+    let apart = Soup {
+        positions: names.iter().flatten().map(|&v| points[v].map(|x| x + 1e6)).collect(),
+        faces: (0..11).map(|f| vec![3 * f, 3 * f + 1, 3 * f + 2]).collect(),
+    };
+    let repair = |(edges, distance, storage): (SplitEdges, Distance, FaceStorage)| {
+        let mut plan = Plan::default().without(PassKind::Clean);
+        (plan.split.edges, plan.weld.distance) = (edges, distance);
+        plan.triangulate.faces = TriangulateFaces::All;
+        let repaired = plan.pipeline().storing(storage).run(&apart.mesh()).unwrap();
+        assert!(repaired.mesh.counts().corners < 1000, "{edges:?} {distance:?} {storage:?}");
+    };
+    for edges in [SplitEdges::Sheets, SplitEdges::Cut, SplitEdges::PinchOnly] {
+        for distance in [Distance::Exact, Distance::Absolute(1.0), Distance::Relative(0.25)] {
+            for storage in [FaceStorage::Indexed, FaceStorage::Apart] {
+                repair((edges, distance, storage));
+            }
+        }
+    }
+}

@@ -23,6 +23,10 @@ use crate::{
 /// More rounds than any mesh is known to need.
 const MOST_ROUNDS: usize = 16;
 
+/// How many times the corners of the first result a later one may have. Where `clean` is left out, faces that come back
+/// to a vertex may be subdivided again in each round, without an end.
+const MOST_GROWTH: usize = 3;
+
 /// How the faces of a result are stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FaceStorage {
@@ -53,11 +57,12 @@ impl Pipeline {
         }
         let looks = |pass: &&AnyPass| pass.kind() == PassKind::Recompute;
         let (looking, changing): (Vec<&AnyPass>, Vec<&AnyPass>) = self.passes().iter().partition(looks);
+        let most_corners = MOST_GROWTH * run.mesh.counts().corners;
         for _ in 0..MOST_ROUNDS {
             let (read, reading) = self.faces.read_again(&run.mesh)?;
             let mut next = Run::begin(&read, self.takes_figures);
             self.run_round(changing.iter().copied(), &mut next, cancel, |_| {})?;
-            if self.faces.are_alike(&read, &next.mesh) {
+            if self.faces.are_alike(&read, &next.mesh) || next.mesh.counts().corners > most_corners {
                 break;
             }
             self.run_round(looking.iter().copied(), &mut next, cancel, |_| {})?;
