@@ -35,7 +35,8 @@ fn a_broken_mesh_is_mended_and_all_is_named() {
 fn the_json_report_has_before_after_and_every_pass() {
     let folder = Folder::new();
     let (input, output) = (example("broken.obj"), folder.at("mended.ply"));
-    let arguments = ["repair", &input, "-o", &output, "--json", "--report-maps"];
+    // Vertices split for texture coordinates are another mesh by index than the one that is reported on.
+    let arguments = ["repair", &input, "-o", &output, "--json", "--report-maps", "--seams", "corners"];
     let run = meshmend(&arguments).succeeds();
     assert_eq!(run.stdout, meshmend(&arguments).stdout);
     let report = run.json();
@@ -308,4 +309,61 @@ fn polygons_are_cut_by_the_pass_where_the_format_holds_triangles_alone() {
     assert_eq!(told.succeeds().json()["losses"][0]["kind"], "polygons");
     let kept = meshmend(&["repair", &input, "-o", &folder.at("dart.ply"), "--json"]).succeeds().json();
     assert_eq!(kept["passes"][4]["changed"], false);
+}
+
+/// Two triangles that touch along an edge, red and blue.
+const SEAM: &str = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 1 0 0 0 0 1\nv 1 1 0 0 0 1\nv 0 1 0 0 0 1\n\
+                    v 0 0 9 1 0 0\nf 1 2 3\nf 4 5 6\n";
+
+#[test]
+fn vertices_that_are_written_as_several_are_named_with_what_to_do_about_it() {
+    let folder = Folder::new();
+    let (input, output) = (folder.with("seam.obj", SEAM), folder.at("seam.ply"));
+    let run = meshmend(&["repair", &input, "-o", &output]).succeeds();
+    assert!(run.stdout.contains("2 vertices are written 4 times"), "{}", run.stdout);
+    assert!(run.stdout.contains("--seams corners"), "{}", run.stdout);
+    let json = meshmend(&["repair", &input, "-o", &output, "--json"]).succeeds().json();
+    let is_seam = |loss: &&Value| loss["kind"] == "seam-vertices";
+    assert_eq!(json["losses"].as_array().unwrap().iter().find(is_seam).unwrap()["count"], 2);
+    let again = folder.at("again.ply");
+    meshmend(&["repair", &output, "-o", &again]).succeeds();
+    assert_eq!(fs::read(&output).unwrap(), fs::read(&again).unwrap());
+    let corners = meshmend(&["repair", &input, "-o", &output, "--seams", "corners"]).succeeds();
+    assert!(!corners.stdout.contains("are written"), "{}", corners.stdout);
+    meshmend(&["repair", &input, "-o", &output, "--seams", "fail"]).fails(5, "2 vertices have attributes");
+    meshmend(&["convert", &input, &output, "--seams", "fail"]).succeeds();
+}
+
+#[test]
+fn normals_turn_with_their_faces_unless_the_policy_says_otherwise() {
+    let folder = Folder::new();
+    let turned = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 3 0 0\nv 3 1 0\nvn 0 0 1\nvn 0 0 -1\n\
+                  f 1//1 2//1 3//1 4//1\nf 2//1 5//1 6//1 3//1\nf 5//2 6//2 8//2 7//2\n";
+    let (input, output) = (folder.with("turned.obj", turned), folder.at("mended.obj"));
+    let run = meshmend(&["repair", &input, "-o", &output]).succeeds();
+    assert!(run.stdout.contains("normals turned with their faces: 4"), "{}", run.stdout);
+    assert!(fs::read_to_string(&output).unwrap().contains("f 5//3 7//3 8//3 6//3\n"));
+    let json = meshmend(&["repair", &output, "-o", &folder.at("again.obj"), "--json"]).succeeds().json();
+    assert_eq!((&json["turned_normals"], &json["flipped_faces"]["count"]), (&json!(0), &json!(0)));
+    let json = meshmend(&["repair", &input, "-o", &output, "--json", "--flipped-normals", "keep"]).json();
+    assert_eq!((&json["turned_normals"], &json["flipped_faces"]["count"]), (&json!(0), &json!(1)));
+    let plan = folder.with("plan.toml", "[orient]\nflipped-normals = \"keep\"\n");
+    let json = meshmend(&["repair", &input, "-o", &output, "--json", "--plan", &plan]).json();
+    assert_eq!(json["turned_normals"], 0);
+}
+
+#[test]
+fn a_file_of_the_same_format_is_written_as_it_was_read() {
+    let folder = Folder::new();
+    let text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n\
+                element face 1\nproperty list uint8 uint vertex_index\nelement camera 1\nproperty float yaw\nend_header\n\
+                0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0.5\n";
+    let (input, output) = (folder.with("in.ply", text), folder.at("out.ply"));
+    let written = text.replace("uint8", "uchar");
+    for command in [&["convert", &input, &output][..], &["repair", &input, "-o", &output]] {
+        meshmend(command).succeeds();
+        assert_eq!(fs::read_to_string(&output).unwrap(), written);
+    }
+    let run = meshmend(&["convert", &input, &folder.at("out.obj")]).succeeds();
+    assert!(run.stdout.contains("element `camera` of 1 row"), "{}", run.stdout);
 }
