@@ -49,7 +49,7 @@ impl<'a> FaceCutter<'a> {
     pub fn new(mesh: &'a PolygonMesh, lowest: &'a [VertexId]) -> Self {
         let mut edges = Cow::Borrowed(mesh.complex().edges().all_ends());
         if lowest.iter().enumerate().any(|(vertex, low)| low.index() != vertex) {
-            let moved = edges.iter().map(|ends| sorted(ends.map(|vertex| lowest[vertex.index()])));
+            let moved = edges.iter().map(|&ends| places_of(lowest, ends));
             let mut moved: Vec<[VertexId; 2]> = moved.collect();
             moved.sort_unstable();
             edges = Cow::Owned(moved);
@@ -79,11 +79,11 @@ impl<'a> FaceCutter<'a> {
         self.face_sources.push(Some(face));
     }
 
-    /// Whether an edge or a diagonal joins the places of two vertices, given by the lowest vertices there.
+    /// Whether an edge or a diagonal joins the places of two vertices, or, if they are in one place, these vertices.
     ///
     /// *Cost*: O(log n).
     pub fn is_taken(&self, ends: [VertexId; 2]) -> bool {
-        let ends = sorted(ends);
+        let ends = places_of(self.lowest, ends);
         self.edges.binary_search(&ends).is_ok() || self.diagonals.contains(&ends)
     }
 
@@ -95,8 +95,8 @@ impl<'a> FaceCutter<'a> {
             let vertices = self.mesh.faces().face_vertices(face);
             for piece in pieces {
                 let sides = piece.iter().zip(piece.iter().cycle().skip(1));
-                let lowest = |place: usize| self.lowest[vertices[place].index()];
-                self.diagonals.extend(sides.map(|(&one, &other)| sorted([lowest(one), lowest(other)])));
+                let ends = sides.map(|(&one, &other)| [vertices[one], vertices[other]]);
+                self.diagonals.extend(ends.map(|ends| places_of(self.lowest, ends)));
             }
         }
         for piece in pieces {
@@ -109,7 +109,9 @@ impl<'a> FaceCutter<'a> {
         let points: Vec<Point> = places.iter().map(|&place| self.mesh.position(vertices[place])).collect();
         let lowest: Vec<VertexId> =
             places.iter().map(|&place| self.lowest[vertices[place].index()]).collect();
-        let (triangles, repeated) = self.triangulated(Polygon { points: &points, vertices: &lowest }, room);
+        let own: Vec<VertexId> = places.iter().map(|&place| vertices[place]).collect();
+        let polygon = Polygon { points: &points, vertices: &lowest };
+        let (triangles, repeated) = self.triangulated(polygon, &own, room);
         let first = self.mesh.faces().corner_range(face).start;
         let mut corners: Vec<NewCorner> = places
             .iter()
@@ -130,24 +132,25 @@ impl<'a> FaceCutter<'a> {
     fn triangulated(
         &mut self,
         polygon: Polygon<'_>,
+        vertices: &[VertexId],
         room: &mut dyn Room,
     ) -> (Vec<Triangle>, Vec<[usize; 2]>) {
-        let (points, vertices) = (polygon.points, polygon.vertices);
+        let points = polygon.points;
         let choice = |cutter: &Self, avoid| {
             triangulate_polygon(polygon, avoid, &|one, other| {
                 cutter.is_taken([vertices[one], vertices[other]])
             })
         };
         let mut triangles = choice(self, Avoid::Folds);
-        let mut diagonals = diagonals(&triangles, vertices);
+        let mut diagonals = diagonals(&triangles, vertices.len());
         let is_repeated = |&[one, other]: &[usize; 2]| self.is_taken([vertices[one], vertices[other]]);
         let mut repeated = diagonals.iter().filter(|ends| is_repeated(ends));
         if !repeated.all(|ends| room.is_between(ends.map(|at| points[at]))) {
             triangles = choice(self, Avoid::TakenDiagonals);
-            diagonals = self::diagonals(&triangles, vertices);
+            diagonals = self::diagonals(&triangles, vertices.len());
         }
         diagonals.retain(|ends| {
-            let ends = sorted(ends.map(|at| vertices[at]));
+            let ends = places_of(self.lowest, ends.map(|at| vertices[at]));
             self.edges.binary_search(&ends).is_ok() || !self.diagonals.insert(ends)
         });
         diagonals.sort_unstable();
@@ -196,14 +199,11 @@ impl<'a> FaceCutter<'a> {
     }
 }
 
-/// The diagonals of a polygon's triangles, as the places of their ends; none between two corners in one place, where there
-/// is no room.
-fn diagonals(triangles: &[Triangle], vertices: &[VertexId]) -> Vec<[usize; 2]> {
+/// The diagonals of the triangles of a polygon with so many corners, as the places of their ends.
+fn diagonals(triangles: &[Triangle], count: usize) -> Vec<[usize; 2]> {
     // Each is the longest side of one triangle; so is the polygon's last side.
     let longest = triangles.iter().map(|&[a, b, c]| [a.min(b).min(c), a.max(b).max(c)]);
-    longest
-        .filter(|&[low, high]| high - low < vertices.len() - 1 && vertices[low] != vertices[high])
-        .collect()
+    longest.filter(|&[low, high]| high - low < count - 1).collect()
 }
 
 /// A corner of a triangle: one of the face, or one at a vertex on a diagonal.
@@ -239,6 +239,10 @@ fn parted(triangle: Triangle, repeated: &[[usize; 2]], count: usize) -> Vec<Tria
     vec![triangle]
 }
 
-fn sorted([one, other]: [VertexId; 2]) -> [VertexId; 2] {
+/// What an edge between two vertices is known by: the lowest vertices in their places, or, if that is one, themselves; the
+/// smaller first.
+fn places_of(lowest: &[VertexId], ends: [VertexId; 2]) -> [VertexId; 2] {
+    let places = ends.map(|vertex| lowest[vertex.index()]);
+    let [one, other] = if places[0] == places[1] { ends } else { places };
     [one.min(other), one.max(other)]
 }
