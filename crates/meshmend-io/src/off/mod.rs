@@ -12,7 +12,8 @@
 //!
 //! What follows a face's indices is its colour: face layer `color`, or `color_index` where all are single numbers.
 //! Colours of three or four bytes each are kept as bytes; one number with a point makes the colours of the file
-//! fractions; any others are kept as the text that they are. `#` begins a comment; whole lines of comment are metadata.
+//! fractions; any others are kept as the text that they are. `#` begins a comment, also at the end of a line; comments
+//! are metadata.
 //!
 //! **As it is written.** The word may be missing or have the first count glued to it, the number of edges may be missing,
 //! and colours may stand before normals, which is MeshLab's order and told by the values. Vertices and faces may stand on

@@ -222,10 +222,10 @@ impl<'a> Reader<'a> {
         &rest[..end]
     }
 
-    /// Goes to the end of the line.
+    /// Goes to the end of the line, or to the comment at its end, which is kept with what comes next.
     #[inline]
     pub(super) fn end_line(&mut self) {
-        self.at = text::line_end(self.bytes, self.at);
+        self.at += self.rest().len();
     }
 
     #[inline]

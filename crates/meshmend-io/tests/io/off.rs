@@ -24,8 +24,25 @@ fn counts_comments_blank_lines_and_line_ends_are_read_anywhere() {
     }
     let mesh = read(format!("# first\nOFF\n3 3 0\n{body}")).mesh;
     let comments: Vec<&[u8]> = mesh.metadata().iter().map(|m| &m.value[..]).collect();
-    assert_eq!(comments, [&b"first"[..], b"between"]);
+    assert_eq!(comments, [&b"first"[..], b"inline", b"between"]);
     assert_kept(&mesh, Format::Off, Encoding::Ascii);
+}
+
+#[test]
+fn comments_at_the_ends_of_lines_are_kept() {
+    for (text, expected) in [
+        ("OFF # a\n3 1 0 # b\n0 0 0\n1 0 0 #c\n0 1 0#d\n3 0 1 2 # e", "a|b|c|d|e"),
+        ("COFF\n3 1 0\n0 0 0 1 0 0 1 # a\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1 # b # c\n3 0 1 2\n", "a|b # c"),
+        ("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0 # red\n3 2 1 0 # none\n", "red|none"),
+        ("OFF\n3 1 0\n0 0 0 9 # more\n1 0 0\n0 1 0\n3 0 1 2\n7 # after\n# last\n", "more|after|last"),
+        ("NOFF\n3 1 0\n0 0 0 0 0 1 # a\n1 0 0 0 0 1\n0 1 0 0 0 1 #\n3 0 1 2\n", "a|"),
+    ] {
+        let mesh = read(text).mesh;
+        let comments: Vec<&str> =
+            mesh.metadata().iter().map(|m| std::str::from_utf8(&m.value).unwrap()).collect();
+        assert_eq!(comments.join("|"), expected, "{text}");
+        assert_kept(&mesh, Format::Off, Encoding::Ascii);
+    }
 }
 
 #[test]
