@@ -1,6 +1,7 @@
-//! The two streams to the outside. Reports go to standard output, errors and progress to standard error.
+//! The streams to the outside. Reports go to standard output, errors and progress to standard error; reports too, where
+//! standard output carries what a command makes.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, IsTerminal, Read, Write};
 
 use clap::builder::StyledStr;
 
@@ -8,12 +9,15 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::render::{Style, printable};
 
-/// Where a command writes: a stream for reports, in which a reader that has gone away is no error, and one for what
-/// went wrong.
+/// Where a command reads and writes: a stream for a mesh, one for reports, in which a reader that has gone away is no
+/// error, and one for what went wrong.
 pub struct Console<'a> {
+    input: Option<Box<dyn Read + Send + 'a>>,
     out: Stream<'a>,
     errors: Stream<'a>,
     is_closed: bool,
+    /// Whether standard output carries what a command makes, and no reports.
+    is_reserved: bool,
 }
 
 /// A stream, and whether somebody watches it on a terminal.
@@ -27,19 +31,47 @@ impl Console<'static> {
     /// The streams of the process, with colours on a terminal, unless the environment says `NO_COLOR`.
     pub fn standard() -> Self {
         let (out, errors) = (io::stdout(), io::stderr());
-        Console { out: Stream::of_process(out), errors: Stream::of_process(errors), is_closed: false }
+        Console {
+            input: Some(Box::new(io::stdin())),
+            out: Stream::of_process(out),
+            errors: Stream::of_process(errors),
+            is_closed: false,
+            is_reserved: false,
+        }
     }
 }
 
 impl<'a> Console<'a> {
-    /// Any two streams, to which plain text is written.
+    /// Any two streams, to which plain text is written; standard input is empty.
     pub fn of(out: &'a mut (dyn Write + Send), errors: &'a mut (dyn Write + Send)) -> Self {
-        Console { out: Stream::plain(out), errors: Stream::plain(errors), is_closed: false }
+        let (out, errors) = (Stream::plain(out), Stream::plain(errors));
+        Console { input: Some(Box::new(io::empty())), out, errors, is_closed: false, is_reserved: false }
+    }
+
+    /// These streams, with another one to read `-` from.
+    #[must_use]
+    pub fn with_input(self, input: &'a mut (dyn Read + Send)) -> Self {
+        Console { input: Some(Box::new(input)), ..self }
+    }
+
+    /// Standard input, unless it was taken before.
+    pub(crate) fn take_input(&mut self) -> Option<Box<dyn Read + Send + 'a>> {
+        self.input.take()
+    }
+
+    /// Keeps standard output for what a command makes: from now on reports go to the stream for errors.
+    pub(crate) fn reserve_output(&mut self) {
+        self.is_reserved = true;
+    }
+
+    /// Lets something be written to standard output. That nobody reads any more is no error.
+    pub(crate) fn send<R>(&mut self, write: impl FnOnce(&mut dyn Write) -> R) -> R {
+        write(&mut Pipe { sink: &mut *self.out.sink, is_closed: &mut self.is_closed })
     }
 
     /// How reports are marked up.
     pub(crate) fn style(&self) -> Style {
-        self.out.style
+        if self.is_reserved { self.errors.style } else { self.out.style }
     }
 
     /// Whether nobody reads any more.
@@ -54,6 +86,11 @@ impl<'a> Console<'a> {
 
     /// Writes a text and passes it on.
     pub(crate) fn write(&mut self, text: &str) -> Result<(), Failure> {
+        if self.is_reserved {
+            // There is nowhere to tell if this fails.
+            self.errors.write(text).ok();
+            return Ok(());
+        }
         if self.is_closed {
             return Ok(());
         }
@@ -84,6 +121,42 @@ impl<'a> Console<'a> {
     }
 }
 
+/// A stream whose reader may go away: what is written then is dropped.
+struct Pipe<'p> {
+    sink: &'p mut (dyn Write + Send),
+    is_closed: &'p mut bool,
+}
+
+impl Pipe<'_> {
+    /// What a stream says, or something else when nobody reads it any more.
+    fn unless_closed<T>(
+        &mut self,
+        closed: T,
+        act: impl FnOnce(&mut dyn Write) -> io::Result<T>,
+    ) -> io::Result<T> {
+        if *self.is_closed {
+            return Ok(closed);
+        }
+        match act(self.sink) {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
+                *self.is_closed = true;
+                Ok(closed)
+            }
+            result => result,
+        }
+    }
+}
+
+impl Write for Pipe<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.unless_closed(bytes.len(), |sink| sink.write(bytes))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.unless_closed((), |sink| sink.flush())
+    }
+}
+
 impl<'a> Stream<'a> {
     fn plain(sink: &'a mut (dyn Write + Send)) -> Self {
         Stream { sink: Box::new(sink), is_terminal: false, style: Style::Plain }
@@ -107,5 +180,47 @@ impl<'a> Stream<'a> {
     fn write(&mut self, text: &str) -> io::Result<()> {
         self.sink.write_all(text.as_bytes())?;
         self.sink.flush()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Takes so many bytes; then its reader has gone away.
+    struct Narrow(usize);
+
+    impl Write for Narrow {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            let taken = bytes.len().min(self.0);
+            self.0 -= taken;
+            if taken > 0 { Ok(taken) } else { Err(io::ErrorKind::BrokenPipe.into()) }
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            if self.0 > 0 { Ok(()) } else { Err(io::ErrorKind::BrokenPipe.into()) }
+        }
+    }
+
+    #[test]
+    fn a_reader_that_has_gone_away_is_no_error_and_is_written_to_no_more() {
+        let (mut out, mut errors) = (Narrow(5), Vec::new());
+        let mut console = Console::of(&mut out, &mut errors);
+        console.send(|out| out.write_all(b"12345678").and_then(|()| out.flush())).unwrap();
+        assert!(console.is_closed());
+        console.write("a report").unwrap();
+        console.reserve_output();
+        console.write("another").unwrap();
+        drop(console);
+        assert_eq!(errors, b"another");
+    }
+
+    #[test]
+    fn standard_input_is_there_once() {
+        let (mut out, mut errors, mut input) = (Vec::new(), Vec::new(), &b"v 0 0 0"[..]);
+        let mut console = Console::of(&mut out, &mut errors).with_input(&mut input);
+        let mut text = String::new();
+        console.take_input().unwrap().read_to_string(&mut text).unwrap();
+        assert_eq!(text, "v 0 0 0");
+        assert!(console.take_input().is_none());
     }
 }

@@ -12,6 +12,7 @@ mod policies;
 mod progress;
 mod render;
 mod signals;
+mod streams;
 mod threads;
 mod words;
 

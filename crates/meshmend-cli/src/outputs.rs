@@ -2,7 +2,7 @@
 //!
 //! A mesh may take the place of a mesh, the input's too. Nothing else may: a picture or a report does not take the place
 //! of a mesh, nor a mesh that of a plan, and no two outputs are one file. Files are compared, not names: links, `./a` and
-//! `a` lead to one file, and so may `a` and `A`.
+//! `a` lead to one file, and so may `a` and `A`. `-` is a standard stream and no file, whatever the folder holds.
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -12,6 +12,7 @@ use meshmend::Format;
 use meshmend::io::target_of;
 
 use crate::failure::Failure;
+use crate::streams::is_stream;
 
 /// What a file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,13 +46,13 @@ impl<'a> Files<'a> {
 
     /// These files and one more that is read.
     pub(crate) fn reading(mut self, option: &'static str, path: Option<&'a Path>, content: Content) -> Self {
-        self.inputs.extend(path.map(|path| Named { option, path, content }));
+        self.inputs.extend(path.filter(|path| !is_stream(path)).map(|path| Named { option, path, content }));
         self
     }
 
     /// These files and one more that is written.
     pub(crate) fn writing(mut self, option: &'static str, path: Option<&'a Path>, content: Content) -> Self {
-        self.outputs.extend(path.map(|path| Named { option, path, content }));
+        self.outputs.extend(path.filter(|path| !is_stream(path)).map(|path| Named { option, path, content }));
         self
     }
 
@@ -129,11 +130,8 @@ enum Identity {
 }
 
 impl Identity {
-    /// The identity of a file that holds what is written to it; none of standard streams, devices and pipes.
+    /// The identity of a file that holds what is written to it; none of devices and pipes.
     fn of(path: &Path) -> Option<Self> {
-        if path == Path::new("-") {
-            return None;
-        }
         match fs::metadata(path) {
             Ok(status) if status.is_file() => Some(Self::there(path, &status)),
             Ok(_) => None,

@@ -193,12 +193,11 @@ impl Policies {
         Ok(plan)
     }
 
-    /// The plan for an output that holds triangles alone: polygons are cut by the pass, which never repeats an edge,
+    /// Their plan for an output that holds triangles alone: polygons are cut by the pass, which never repeats an edge,
     /// unless a plan or an option says otherwise.
-    pub(crate) fn plan_for_triangles(&self) -> Result<Plan, Failure> {
-        let plan = self.plan()?;
+    pub(crate) fn for_triangles(&self, plan: Plan) -> Plan {
         let is_said = self.plan.is_some() || self.triangulate.is_some();
-        Ok(if is_said { plan } else { triangulate_into(plan, TriangulateWord::All) })
+        if is_said { plan } else { triangulate_into(plan, TriangulateWord::All) }
     }
 
     fn clean_into(&self, mut plan: Plan) -> Result<Plan, Failure> {

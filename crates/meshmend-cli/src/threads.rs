@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 use crate::failure::Failure;
+use crate::streams::is_stream;
 
 /// The work for smaller files is done before many threads have started.
 const LARGE: u64 = 1 << 20;
@@ -26,7 +27,9 @@ impl Pool {
             };
         }
         const AS_MANY_AS_PROCESSORS: usize = 0;
-        let is_large = |input: &PathBuf| fs::metadata(input).is_ok_and(|file| file.len() >= LARGE);
+        // How long a stream is can't be known.
+        let is_large =
+            |input: &PathBuf| is_stream(input) || fs::metadata(input).is_ok_and(|file| file.len() >= LARGE);
         let pool = started(if inputs.iter().any(is_large) { AS_MANY_AS_PROCESSORS } else { 1 });
         // That fails only for a thread of another pool, which will do.
         let alone = |_| ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();

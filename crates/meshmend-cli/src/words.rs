@@ -1,11 +1,14 @@
 //! Words of the command line that stand for values of the library.
 
+use std::path::Path;
+
 use clap::ValueEnum;
 use meshmend::io::AttributePrecision;
 use meshmend::shapes::{GENERATORS, Generator};
-use meshmend::{DefectKind, Distance, Encoding, Format, KernelKind, Seams, View, WriteOptions};
+use meshmend::{DefectKind, Distance, Encoding, Format, KernelKind, ReadFile, Seams, View, WriteOptions};
 
 use crate::failure::Failure;
+use crate::streams::{format_is_not_told, is_stream, output_name};
 
 /// What `--weld` can say: nothing is welded, or within which distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,7 +99,7 @@ pub(crate) enum EncodingWord {
     BigEndian,
 }
 
-/// In which format a mesh is written; by default in that of the file's name.
+/// In which format a mesh is written; by default in that of the file's name, for standard output in that of the input.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct OutputWords {
     /// The format of the output, whatever its name
@@ -126,14 +129,34 @@ enum SeamsWord {
 }
 
 impl OutputWords {
-    /// How to write a file; known to be possible before any work is done.
-    pub(crate) fn options(self, path: &std::path::Path) -> Result<WriteOptions, Failure> {
-        let failed = |reason: String| Failure::usage(format!("{}: {reason}", path.display()));
-        let format = WriteOptions { format: self.format, ..WriteOptions::default() }.for_path(path).format;
-        let format = format.ok_or_else(|| {
-            let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
-            failed(format!("the name tells no format that can be written; known are {}", names.join(", ")))
-        })?;
+    /// The format of a file to write; for standard output that may be the one of the input.
+    pub(crate) fn format(self, path: &Path, input: Option<Format>) -> Result<Format, Failure> {
+        let named = if is_stream(path) { input } else { Format::from_path(path) };
+        self.format.or(named).ok_or_else(|| format_is_not_told(path))
+    }
+
+    /// Whether it can be known only from the input in which format a file is written.
+    fn waits_for_input(self, path: &Path) -> bool {
+        is_stream(path) && self.format.is_none()
+    }
+
+    /// An error if a file can't be written so, as far as that can be known before the input is read.
+    pub(crate) fn check(self, path: &Path) -> Result<(), Failure> {
+        if self.waits_for_input(path) { Ok(()) } else { self.options(path).map(drop) }
+    }
+
+    /// How to write a file that comes from no other.
+    pub(crate) fn options(self, path: &Path) -> Result<WriteOptions, Failure> {
+        self.in_format(path, self.format(path, None)?)
+    }
+
+    /// How to write a file that comes from another one.
+    pub(crate) fn options_for(self, path: &Path, file: &ReadFile) -> Result<WriteOptions, Failure> {
+        Ok(self.in_format(path, self.format(path, Some(file.format))?)?.as_read(file))
+    }
+
+    fn in_format(self, path: &Path, format: Format) -> Result<WriteOptions, Failure> {
+        let failed = |reason: String| Failure::usage(format!("{}: {reason}", output_name(path)));
         let encoding = match self.encoding {
             // That of the input, if that is known and has the same format.
             None => None,
@@ -151,7 +174,9 @@ impl OutputWords {
             true => AttributePrecision::Double,
             false => AttributePrecision::AsExpected,
         };
-        Ok(WriteOptions { encoding, seams, precision, ..WriteOptions::of(format) }.for_path(path))
+        let options = WriteOptions { encoding, seams, precision, ..WriteOptions::of(format) };
+        // In which folder a stream ends can't be known.
+        Ok(if is_stream(path) { options } else { options.for_path(path) })
     }
 }
 

@@ -10,7 +10,8 @@ use common::{Folder, example, meshmend};
 fn a_conversion_changes_nothing_and_names_what_is_lost() {
     let folder = Folder::new();
     let (ply, back) = (folder.at("a.ply"), folder.at("b.obj"));
-    meshmend(&["convert", &example("broken.obj"), &ply]).succeeds();
+    // Vertices split for texture coordinates are another mesh by index.
+    meshmend(&["convert", &example("broken.obj"), &ply, "--seams", "corners"]).succeeds();
     meshmend(&["convert", &ply, &back]).succeeds();
     let defects = |file: &str| {
         let mut report = meshmend(&["check", "--json", file]).json();

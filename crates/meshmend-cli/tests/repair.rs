@@ -175,7 +175,7 @@ fn an_input_that_cant_be_read_leaves_no_output() {
     assert_eq!((run.stdout.as_str(), run.stderr.lines().count()), ("", 1));
     for name in ["scene.glb", "scene.gltf", "part.3mf"] {
         let foreign = folder.with(name, "glTF");
-        meshmend(&["repair", &foreign, "-o", &out]).fails(3, "not known");
+        meshmend(&["repair", &foreign, "-o", &out]).fails(3, "looks like GLB");
     }
     assert!(!folder.names().contains(&"out.off".to_owned()));
 }

@@ -7,10 +7,10 @@ use meshmend::report::{CheckDocument, json};
 use meshmend::topology::Witness;
 use meshmend::{CheckOptions, CheckReport, DefectKind, KernelKind, View, check};
 
-use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::render;
+use crate::streams::{InputWords, name};
 use crate::words::{self, Welding};
 
 /// Tell what meshes are, and what is wrong with them and where
@@ -18,9 +18,11 @@ use crate::words::{self, Welding};
 /// Files are judged as stored, by index; STL, which has no indices, as welded exactly. A check changes nothing.
 #[derive(Debug, Args)]
 pub(crate) struct Check {
-    /// The mesh files: OBJ, PLY, STL or OFF
+    /// The mesh files: OBJ, PLY, STL or OFF; `-` is standard input
     #[arg(required = true, value_name = "FILE")]
     pub(super) files: Vec<PathBuf>,
+    #[command(flatten)]
+    from: InputWords,
     /// Judge as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal such as 0.01%
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,
@@ -95,11 +97,11 @@ impl Check {
     }
 
     /// The report on one file, and whether it fails.
-    fn check_file(&self, path: &Path, console: &Console<'_>) -> Result<(CheckDocument, Status), Failure> {
+    fn check_file(&self, path: &Path, console: &mut Console<'_>) -> Result<(CheckDocument, Status), Failure> {
         let progress = console.progress(2);
-        progress.step(&format!("read {}", path.display()));
-        let file = read(path)?;
-        progress.step(&format!("check {}", path.display()));
+        progress.step(&format!("read {}", name(path)));
+        let file = self.from.read(path, console)?;
+        progress.step(&format!("check {}", name(path)));
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
         let options = CheckOptions { view, kernel: self.kernel, witness: self.witness.into() };
         let report = check(&file.mesh, &options).map_err(|error| Failure::of_pass(&name(path), &error))?;

@@ -6,11 +6,11 @@ use clap::{Args, ValueEnum};
 use meshmend::io::{ColorElements, NoteKind, decode_stl_colors};
 use meshmend::{Format, PolygonMesh, ReadFile, WriteOptions};
 
-use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::outputs::{Content, Files};
 use crate::render;
+use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh};
 use crate::words::OutputWords;
 
 /// Write a mesh in another format, and say what that format can't carry
@@ -18,15 +18,17 @@ use crate::words::OutputWords;
 /// Nothing is repaired: what is wrong with the mesh stays as it is.
 #[derive(Debug, Args)]
 pub(crate) struct Convert {
-    /// The file to read
+    /// The file to read; `-` is standard input
     #[arg(value_name = "IN")]
     pub(super) input: PathBuf,
-    /// The file to write; it may be the same
+    /// The file to write; it may be the same; `-` is standard output
     #[arg(value_name = "OUT")]
     output: PathBuf,
     /// What the attribute bytes of a binary STL file become in another format
     #[arg(long, value_enum, default_value_t = StlColors::Keep)]
     stl_colors: StlColors,
+    #[command(flatten)]
+    from: InputWords,
     #[command(flatten)]
     words: OutputWords,
 }
@@ -42,25 +44,27 @@ enum StlColors {
 
 impl Convert {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let options = self.words.options(&self.output)?;
+        self.words.check(&self.output)?;
         Files::of_mesh(&self.input).writing("the output", Some(&self.output), Content::Mesh).check()?;
-        self.check_colors(&options)?;
+        self.check_colors(self.words.format(&self.output, None).ok())?;
+        reserve(&self.output, Report::Text, console)?;
         let progress = console.progress(2);
         progress.step("read");
-        let mut file = read(&self.input)?;
+        let mut file = self.from.read(&self.input, console)?;
+        let options = self.words.options_for(&self.output, &file)?;
+        self.check_colors(options.format)?;
         file.mesh = self.decoded(&file, &options)?;
-        let options = options.as_read(&file);
         progress.step("write");
-        let losses = meshmend::write(&self.output, &file.mesh, &options)?;
+        let losses = write_mesh(&self.output, &file.mesh, &options, console)?;
         drop(progress);
-        let text = render::conversion(&name(&self.input), &name(&self.output), &file, &losses);
+        let text = render::conversion(&name(&self.input), &output_name(&self.output), &file, &losses);
         console.write(&(text + self.hint(&file, &options)))?;
         Ok(Status::Done)
     }
 
     /// Fails when colours are to be decoded for a format that keeps them as they are.
-    fn check_colors(&self, options: &WriteOptions) -> Result<(), Failure> {
-        if self.stl_colors == StlColors::Decode && options.format == Some(Format::Stl) {
+    fn check_colors(&self, format: Option<Format>) -> Result<(), Failure> {
+        if self.stl_colors == StlColors::Decode && format == Some(Format::Stl) {
             let reason = "--stl-colors decode has no meaning for STL, which keeps colours as attribute bytes";
             return Err(Failure::usage(reason));
         }
@@ -77,7 +81,7 @@ impl Convert {
             _ => ColorElements::Faces,
         };
         decode_stl_colors(&file.mesh, elements)
-            .map_err(|error| Failure::unwritable(&name(&self.output), error))
+            .map_err(|error| Failure::unwritable(&output_name(&self.output), error))
     }
 
     /// A line about attribute bytes that might have become colours.

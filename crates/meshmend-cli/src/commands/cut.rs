@@ -9,11 +9,11 @@ use meshmend::{CutOptions, View, cut};
 
 use super::check::json_line;
 use super::loops::{LoopWords, failure};
-use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::outputs::{Content, Files};
 use crate::render;
+use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh};
 use crate::words::OutputWords;
 
 /// Cut every surface open into a disc, and say how its rim is glued to itself
@@ -22,10 +22,10 @@ use crate::words::OutputWords;
 /// surface is refused. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Cut {
-    /// The mesh file: OBJ, PLY, STL or OFF
+    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
     #[arg(value_name = "IN")]
     pub(super) input: PathBuf,
-    /// The file to write; it may be the input
+    /// The file to write; it may be the input; `-` is standard output
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Along what to cut
@@ -39,6 +39,8 @@ pub(crate) struct Cut {
     /// How many items each list of the report shows at most, also in JSON; counts are always whole
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
+    #[command(flatten)]
+    from: InputWords,
     #[command(flatten)]
     words: OutputWords,
 }
@@ -54,16 +56,17 @@ enum AlongWord {
 
 impl Cut {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let options = self.words.options(&self.output)?;
+        self.words.check(&self.output)?;
         Files::of_mesh(&self.input).writing("--output", Some(&self.output), Content::Mesh).check()?;
+        reserve(&self.output, Report::of(self.json), console)?;
         let along = match self.along {
             AlongWord::CutGraph => CutAlong::CutGraph,
             AlongWord::Generators => CutAlong::Generators,
         };
         let progress = console.progress(3);
         progress.step("read");
-        let file = read(&self.input)?;
-        let options = options.as_read(&file);
+        let file = self.from.read(&self.input, console)?;
+        let options = self.words.options_for(&self.output, &file)?;
         progress.step("cut");
         let loops = self.loops.options(View::usual_for(file.format));
         let report = cut(&file.mesh, &CutOptions { along, loops })
@@ -71,9 +74,9 @@ impl Cut {
         progress.step("write");
         let mut document = CutDocument::new(&report, along, self.limit);
         document.file = Some(name(&self.input));
-        document.output = Some(name(&self.output));
+        document.output = Some(output_name(&self.output));
         document.notes = file.notes;
-        document.losses = meshmend::write(&self.output, &report.discs.mesh, &options)?;
+        document.losses = write_mesh(&self.output, &report.discs.mesh, &options, console)?;
         drop(progress);
         let text = if self.json { json_line(&document)? } else { render::cut(&document, console.style()) };
         console.write(&text)?;

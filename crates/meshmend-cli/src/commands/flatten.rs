@@ -4,16 +4,16 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use meshmend::flatten::{Boundary, Flatten as Request, Weights, svg};
-use meshmend::io::replace_file;
 use meshmend::report::UnfoldDocument;
-use meshmend::{LoopOptions, UnfoldError, UnfoldOptions, Unfolded, View, WriteOptions, unfold};
+use meshmend::{LoopOptions, UnfoldError, UnfoldOptions, Unfolded, View, unfold};
 
 use super::check::json_line;
-use super::{loops, name, read};
+use super::loops;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::outputs::{Content, Files};
 use crate::render;
+use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh, write_with};
 use crate::words::OutputWords;
 
 /// Lay surfaces out in the unit square, cut open where they are no discs
@@ -22,10 +22,10 @@ use crate::words::OutputWords;
 /// found exactly, and told. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Flatten {
-    /// The mesh file: OBJ, PLY, STL or OFF
+    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
     #[arg(value_name = "IN")]
     pub(super) input: PathBuf,
-    /// The file to write: a mesh, or a picture named `.svg`
+    /// The file to write: a mesh, or a picture named `.svg`; `-` is standard output, for a mesh
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Where the boundary goes
@@ -40,6 +40,8 @@ pub(crate) struct Flatten {
     /// How many items each list of the report shows at most, also in JSON; counts are always whole
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
+    #[command(flatten)]
+    from: InputWords,
     #[command(flatten)]
     words: OutputWords,
 }
@@ -62,32 +64,16 @@ enum WeightsWord {
     Harmonic,
 }
 
-/// What is written.
-enum Target {
-    Mesh(WriteOptions),
-    Picture,
-}
-
-impl Target {
-    fn content(&self) -> Content {
-        match self {
-            Target::Mesh(_) => Content::Mesh,
-            Target::Picture => Content::Picture,
-        }
-    }
-}
-
 impl Flatten {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let target = self.target()?;
-        Files::of_mesh(&self.input).writing("--output", Some(&self.output), target.content()).check()?;
+        let content = if target.is_some() { Content::Mesh } else { Content::Picture };
+        Files::of_mesh(&self.input).writing("--output", Some(&self.output), content).check()?;
+        reserve(&self.output, Report::of(self.json), console)?;
         let progress = console.progress(3);
         progress.step("read");
-        let file = read(&self.input)?;
-        let target = match target {
-            Target::Mesh(options) => Target::Mesh(options.as_read(&file)),
-            Target::Picture => target,
-        };
+        let file = self.from.read(&self.input, console)?;
+        let target = target.map(|words| words.options_for(&self.output, &file)).transpose()?;
         progress.step("flatten");
         let view = View::usual_for(file.format);
         let request = self.request();
@@ -97,14 +83,13 @@ impl Flatten {
         progress.step("write");
         let mut document = UnfoldDocument::new(&unfolded, &request, view, self.limit);
         document.file = Some(name(&self.input));
-        document.output = Some(name(&self.output));
-        document.notes = file.notes.clone();
+        document.output = Some(output_name(&self.output));
+        document.notes = file.notes;
         match target {
-            Target::Mesh(options) => {
-                let options = options.as_read(&file);
-                document.losses = meshmend::write(&self.output, &unfolded.mesh, &options)?;
+            Some(options) => {
+                document.losses = write_mesh(&self.output, &unfolded.mesh, &options, console)?;
             }
-            Target::Picture => write_picture(&self.output, &unfolded)?,
+            None => write_picture(&self.output, &unfolded, console)?,
         }
         drop(progress);
         let text =
@@ -113,9 +98,13 @@ impl Flatten {
         Ok(Status::Done)
     }
 
-    fn target(&self) -> Result<Target, Failure> {
+    /// How to write a mesh, or nothing for a picture.
+    fn target(&self) -> Result<Option<OutputWords>, Failure> {
         let is_picture = self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"));
-        if is_picture { Ok(Target::Picture) } else { self.words.options(&self.output).map(Target::Mesh) }
+        if is_picture {
+            return Ok(None);
+        }
+        self.words.check(&self.output).map(|()| Some(self.words))
     }
 
     fn request(&self) -> Request {
@@ -141,11 +130,10 @@ fn failure(file: &str, error: UnfoldError) -> Failure {
     }
 }
 
-fn write_picture(path: &Path, unfolded: &Unfolded) -> Result<(), Failure> {
+fn write_picture(path: &Path, unfolded: &Unfolded, console: &mut Console<'_>) -> Result<(), Failure> {
     let text = svg(&unfolded.mesh, &unfolded.layout);
-    let written: std::io::Result<()> = replace_file(path, |out| {
+    write_with(path, console, |out| {
         out.write_all(text.as_bytes())?;
         out.flush()
-    });
-    written.map_err(|error| Failure::unwritable(&name(path), error))
+    })
 }

@@ -1,18 +1,17 @@
 //! `meshmend incremental`: the Betti numbers as a mesh is put together cell by cell.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use meshmend::View;
-use meshmend::io::replace_file;
 use meshmend::report::IncrementalDocument;
 
 use super::check::json_line;
-use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::outputs::{Content, Files};
 use crate::render;
+use crate::streams::{InputWords, Report, name, reserve, write_with};
 use crate::words::{self, Welding};
 
 /// Tell what each vertex, edge and face changes when they are added one after another
@@ -22,16 +21,18 @@ use crate::words::{self, Welding};
 /// numbers are the Betti numbers mod 2 of what is there, and in the end those that `check` gives.
 #[derive(Debug, Args)]
 pub(crate) struct Incremental {
-    /// The mesh file: OBJ, PLY, STL or OFF
+    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
+    #[command(flatten)]
+    from: InputWords,
     /// Take the mesh as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
-    /// Also draw the numbers over the steps
+    /// Also draw the numbers over the steps; `-` is standard output
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
     /// How many steps are listed at most, also in JSON; counts are always whole
@@ -42,16 +43,23 @@ pub(crate) struct Incremental {
 impl Incremental {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         Files::of_mesh(&self.file).writing("--plot", self.plot.as_deref(), Content::Picture).check()?;
+        if let Some(path) = &self.plot {
+            reserve(path, Report::of(self.json), console)?;
+        }
         let progress = console.progress(2);
-        progress.step(&format!("read {}", self.file.display()));
-        let file = read(&self.file)?;
+        progress.step(&format!("read {}", name(&self.file)));
+        let file = self.from.read(&self.file, console)?;
         progress.step("add cells");
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
         let built = IncrementalDocument::new(&file.mesh, view, self.limit);
         let (document, built) = built.map_err(|error| Failure::of_pass(&name(&self.file), &error))?;
         let document = document.of_file(name(&self.file), &file);
         if let Some(path) = &self.plot {
-            write_text(path, &render::step_plot(&name(&self.file), &built))?;
+            let picture = render::step_plot(&name(&self.file), &built);
+            write_with(path, console, |out| {
+                out.write_all(picture.as_bytes())?;
+                out.flush()
+            })?;
         }
         drop(progress);
         let text =
@@ -59,13 +67,4 @@ impl Incremental {
         console.write(&text)?;
         Ok(Status::Done)
     }
-}
-
-/// Writes a text to a file, whole or not at all.
-fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
-    let written: std::io::Result<()> = replace_file(path, |out| {
-        out.write_all(text.as_bytes())?;
-        out.flush()
-    });
-    written.map_err(|error| Failure::unwritable(&name(path), error))
 }

@@ -10,18 +10,20 @@ use meshmend::report::{KernelTrial, KernelsDocument};
 use meshmend::{KernelCost, KernelKind, KernelTask, PolygonMesh, Refusal, View};
 
 use super::check::json_line;
-use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::render;
+use crate::streams::{InputWords, name};
 use crate::words::{self, Welding};
 
 /// List the kernels and what each holds; with a file, what each costs for it, or why it refuses
 #[derive(Debug, Args)]
 pub(crate) struct Kernels {
-    /// The mesh file
+    /// The mesh file; `-` is standard input
     #[arg(value_name = "FILE")]
     pub(super) file: Option<PathBuf>,
+    #[command(flatten)]
+    from: InputWords,
     /// Look at the mesh as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding, requires = "file")]
     weld: Option<Welding>,
@@ -49,7 +51,7 @@ impl Kernels {
             console.write(&render::kernels(console.style()))?;
             return Ok(Status::Done);
         };
-        let file = read(path)?;
+        let file = self.from.read(path, console)?;
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
         let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
         drop(file);

@@ -10,10 +10,10 @@ use meshmend::topology::{CoTree, GeneratorError, Measure, Roots};
 use meshmend::{LoopError, LoopOptions, VertexId, View, loops};
 
 use super::check::json_line;
-use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::render;
+use crate::streams::{InputWords, name};
 
 /// Show the closed paths that generate each surface: its handles, cross-caps and holes
 ///
@@ -21,9 +21,11 @@ use crate::render;
 /// and the reason is told. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Loops {
-    /// The mesh file: OBJ, PLY, STL or OFF
+    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
+    #[command(flatten)]
+    from: InputWords,
     #[command(flatten)]
     words: LoopWords,
     /// Print one JSON object
@@ -68,7 +70,7 @@ impl Loops {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
         let progress = console.progress(2);
         progress.step("read");
-        let file = read(&self.file)?;
+        let file = self.from.read(&self.file, console)?;
         progress.step("loops");
         let options = self.words.options(View::usual_for(file.format));
         let report = loops(&file.mesh, &options).map_err(|error| failure(&name(&self.file), error))?;

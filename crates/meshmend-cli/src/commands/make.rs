@@ -6,10 +6,10 @@ use clap::Args;
 use meshmend::Format;
 use meshmend::shapes::{Generator, Shape, ShapeError, Sizes};
 
-use super::name;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::render;
+use crate::streams::{Report, output_name, reserve, write_mesh};
 use crate::words::{self, OutputWords};
 
 /// Write a mesh whose every figure is known: surfaces of any kind, and complexes that branch
@@ -20,7 +20,7 @@ pub(crate) struct Make {
     /// Which shape; `--list` names them all
     #[arg(value_name = "SHAPE", value_parser = words::shape, required_unless_present = "list")]
     shape: Option<&'static Generator>,
-    /// The file to write
+    /// The file to write; `-` is standard output
     #[arg(short, long, value_name = "OUT", required_unless_present = "list")]
     output: Option<PathBuf>,
     /// List the shapes with their sizes, and make nothing
@@ -66,15 +66,16 @@ impl Make {
             return Ok(Status::Done);
         };
         let options = self.words.options(output)?;
+        reserve(output, Report::Text, console)?;
         let needs_triangles = self.triangles || options.format == Some(Format::Stl);
         let progress = console.progress(2);
         progress.step("make");
         let shape =
             self.shape(generator, needs_triangles).map_err(|error| Failure::usage(error.to_string()))?;
         progress.step("write");
-        let losses = meshmend::write(output, &shape.mesh, &options)?;
+        let losses = write_mesh(output, &shape.mesh, &options, console)?;
         drop(progress);
-        console.write(&render::shape(&name(output), &shape, &losses))?;
+        console.write(&render::shape(&output_name(output), &shape, &losses))?;
         Ok(Status::Done)
     }
 

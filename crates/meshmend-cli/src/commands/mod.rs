@@ -16,11 +16,10 @@ mod repair;
 
 pub(crate) use kernels::Trial;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::slice;
 
 use clap::Subcommand;
-use meshmend::{ReadFile, ReadOptions};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -78,14 +77,4 @@ impl Command {
             Command::Completions(command) => command.run(console),
         }
     }
-}
-
-/// Reads a file with the default limits.
-fn read(path: &Path) -> Result<ReadFile, Failure> {
-    Ok(meshmend::read(path, &ReadOptions::default())?)
-}
-
-/// What a file is called in reports and messages.
-fn name(path: &Path) -> String {
-    path.display().to_string()
 }

@@ -1,21 +1,19 @@
 //! `meshmend render`: a picture of a mesh.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use meshmend::core::counted;
-use meshmend::io::replace_file;
 use meshmend::{PolygonMesh, View};
 use meshmend_render::{
     Camera, Fit, LoopOverlays, Outlines, Overlay, OverlayKind, Picture, Projection, RenderError, Scene, Size,
 };
 
-use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::outputs::{Content, Files};
 use crate::render;
+use crate::streams::{InputWords, Report, is_stream, name, output_name, reserve, write_with};
 use crate::words::{self, Welding};
 
 /// Draw a mesh, and on it what is wrong with it or how it hangs together, as SVG or PNG
@@ -23,12 +21,17 @@ use crate::words::{self, Welding};
 /// What passes behind faces is drawn pale and thin. Backs of faces are bluish and hatched.
 #[derive(Debug, Args)]
 pub(crate) struct Render {
-    /// The mesh file: OBJ, PLY, STL or OFF
+    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
     #[arg(value_name = "FILE")]
     pub(super) input: PathBuf,
-    /// The file to write, named `.svg` or `.png`
+    /// The file to write, named `.svg` or `.png`; `-` is standard output
     #[arg(short, long, value_name = "PICTURE")]
     output: PathBuf,
+    #[command(flatten)]
+    from: InputWords,
+    /// The format of the picture, whatever its name
+    #[arg(long, value_name = "FORMAT", value_enum)]
+    to: Option<PictureFormat>,
     /// What to show on the faces [default: what may be wrong]
     #[arg(long, value_name = "KIND", value_delimiter = ',', value_enum)]
     overlay: Vec<OverlayWord>,
@@ -121,20 +124,23 @@ const WRONG: [OverlayKind; 4] =
     [OverlayKind::Boundary, OverlayKind::NonManifold, OverlayKind::Inconsistent, OverlayKind::Witness];
 
 /// The formats of pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum PictureFormat {
+    /// Lines and areas, as text
     Svg,
+    /// Pixels
     Png,
 }
 
 impl Render {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let format = format_of(&self.output)?;
+        let format = self.to.map_or_else(|| format_of(&self.output), Ok)?;
         Files::of_mesh(&self.input).writing("--output", Some(&self.output), Content::Picture).check()?;
+        reserve(&self.output, Report::Text, console)?;
         let camera = self.camera()?;
         let progress = console.progress(3);
         progress.step("read");
-        let file = read(&self.input)?;
+        let file = self.from.read(&self.input, console)?;
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
         let mesh = view.of(&file.mesh).map_err(failed)?;
@@ -152,9 +158,9 @@ impl Render {
         };
         let picture = self.draw(&scenes)?;
         progress.step("write");
-        write(&self.output, format, &picture)?;
+        write(&self.output, format, &picture, console)?;
         drop(progress);
-        console.write(&render::picture(&name(&self.input), &name(&self.output), &scenes, &picture))?;
+        console.write(&render::picture(&name(&self.input), &output_name(&self.output), &scenes, &picture))?;
         Ok(Status::Done)
     }
 
@@ -243,16 +249,21 @@ fn format_of(path: &Path) -> Result<PictureFormat, Failure> {
     match extension.as_deref() {
         Some("svg") => Ok(PictureFormat::Svg),
         Some("png") => Ok(PictureFormat::Png),
+        _ if is_stream(path) => Err(Failure::usage("standard output: --to must tell the format, svg or png")),
         _ => Err(Failure::usage(format!("{}: a picture's name ends in .svg or .png", path.display()))),
     }
 }
 
-fn write(path: &Path, format: PictureFormat, picture: &Picture) -> Result<(), Failure> {
-    let written = replace_file(path, |out: &mut dyn Write| match format {
+fn write(
+    path: &Path,
+    format: PictureFormat,
+    picture: &Picture,
+    console: &mut Console<'_>,
+) -> Result<(), Failure> {
+    write_with(path, console, |out| match format {
         PictureFormat::Svg => picture.write_svg(out),
         PictureFormat::Png => picture.write_png(out),
-    });
-    written.map_err(|error| Failure::unwritable(&name(path), error))
+    })
 }
 
 /// Reads a size such as `800x600`.

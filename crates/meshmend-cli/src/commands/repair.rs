@@ -8,17 +8,17 @@ use meshmend::io::{Prepared, held_layers, replace_file, rounding_losses};
 use meshmend::repair::{FaceStorage, Precision};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
-    CheckOptions, CheckReport, Encoding, Examined, Format, KernelKind, PassKind, PolygonMesh, ReadFile,
-    Repaired, View, WriteError, WriteOptions, check, check_before_repair,
+    CheckOptions, CheckReport, Encoding, Examined, Format, KernelKind, PassKind, Pipeline, Plan, PolygonMesh,
+    ReadFile, Repaired, View, WriteError, WriteOptions, check, check_before_repair,
 };
 
 use super::check::json_line;
-use super::{name, read};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::outputs::{Content, Files};
 use crate::policies::Policies;
 use crate::render::{self, Style};
+use crate::streams::{InputWords, Report, is_stream, name, output_name, reserve, write_prepared};
 use crate::words::{self, OutputWords};
 
 /// Mend a mesh: make it manifold, consistently oriented and free of rubbish, and name all that was done
@@ -26,10 +26,10 @@ use crate::words::{self, OutputWords};
 /// No face is removed that is not degenerate, non-finite or there twice. The output appears whole or not at all.
 #[derive(Debug, Args)]
 pub(crate) struct Repair {
-    /// The mesh file: OBJ, PLY, STL or OFF
+    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
     #[arg(value_name = "IN")]
     pub(super) input: PathBuf,
-    /// The file to write; it may be the input
+    /// The file to write; it may be the input; `-` is standard output, and the report goes to standard error
     #[arg(short, long, value_name = "OUT", required_unless_present = "dry_run")]
     output: Option<PathBuf>,
     /// Write no mesh; report what would be done
@@ -54,6 +54,8 @@ pub(crate) struct Repair {
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
     #[command(flatten)]
+    from: InputWords,
+    #[command(flatten)]
     words: OutputWords,
     #[command(flatten)]
     policies: Policies,
@@ -76,7 +78,7 @@ impl Target<'_> {
 
     /// A mesh that is ready to be written there.
     fn prepared(&self, mesh: &PolygonMesh) -> Result<Prepared, Failure> {
-        let failed = |kind| WriteError { file: name(self.path), kind };
+        let failed = |kind| WriteError { file: output_name(self.path), kind };
         Ok(Prepared::new(mesh, &self.options).map_err(failed)?)
     }
 
@@ -102,29 +104,19 @@ fn storage(format: Option<Format>) -> FaceStorage {
 
 impl Repair {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let mut target = self.target()?;
-        let format = target.as_ref().and_then(|target| target.options.format);
-        let plan = match format {
-            Some(format) if !format.holds_polygons() => self.policies.plan_for_triangles()?,
-            _ => self.policies.plan()?,
-        };
-        let pipeline = plan.pipeline().on_kernel(self.kernel).storing(storage(format));
-        let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
+        self.check_output()?;
+        // What is wrong with the command line is told before anything is read.
+        let plan = self.policies.plan()?;
         self.check_files()?;
+        self.reserve_output(console)?;
 
-        let progress = console.progress(pipeline.passes().len() + 4);
+        let progress = console.progress(plan.passes.len() + 4);
         progress.step("read");
-        let file = read(&self.input)?;
-        if let Some(target) = &mut target {
-            target.options = std::mem::take(&mut target.options).as_read(&file);
-        }
-        let pipeline = match &target {
-            Some(target) => pipeline.for_layers(held_layers(&file.mesh, &target.options)),
-            None => pipeline,
-        };
+        let file = self.from.read(&self.input, console)?;
+        let target = self.target(&file)?;
+        let pipeline = self.pipeline(plan, &file, target.as_ref());
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         progress.step("check");
-        let pipeline = pipeline.in_precision(target.as_ref().map_or(Precision::Double, Target::precision));
         let (before, examined) = if self.quiet { None } else { Some(self.before(&file)?) }.unzip();
         let observe = |pass: PassKind| progress.step(pass.name());
         let run = match examined {
@@ -147,15 +139,41 @@ impl Repair {
         progress.step("write");
         let prepared = target.as_ref().map(|target| target.prepared(&repaired.mesh)).transpose()?;
         self.name_output(target.as_ref(), prepared.as_ref(), &repaired, &mut document);
-        self.write(target.as_ref().zip(prepared.as_ref()), &document)?;
+        self.write(target.as_ref().zip(prepared.as_ref()), &document, console)?;
         drop(progress);
         console.write(&self.text(&document, console.style())?)?;
         Ok(Status::Done)
     }
 
-    fn target(&self) -> Result<Option<Target<'_>>, Failure> {
+    /// Fails when the output can't be written as it is asked for, as far as that can be known yet.
+    fn check_output(&self) -> Result<(), Failure> {
+        self.output.as_deref().map_or(Ok(()), |output| self.words.check(output))
+    }
+
+    /// Gives standard output over to the mesh if that goes there.
+    fn reserve_output(&self, console: &mut Console<'_>) -> Result<(), Failure> {
+        match &self.output {
+            Some(output) if !self.dry_run => reserve(output, Report::of(self.json), console),
+            _ => Ok(()),
+        }
+    }
+
+    fn target(&self, file: &ReadFile) -> Result<Option<Target<'_>>, Failure> {
         let Some(path) = self.output.as_deref() else { return Ok(None) };
-        Ok(Some(Target { path, options: self.words.options(path)? }))
+        Ok(Some(Target { path, options: self.words.options_for(path, file)? }))
+    }
+
+    /// The passes of a plan, for what an output can hold.
+    fn pipeline(&self, plan: Plan, file: &ReadFile, target: Option<&Target<'_>>) -> Pipeline {
+        let format = target.and_then(|target| target.options.format);
+        let plan = match format {
+            Some(format) if !format.holds_polygons() => self.policies.for_triangles(plan),
+            _ => plan,
+        };
+        let pipeline = plan.pipeline().on_kernel(self.kernel).storing(storage(format));
+        let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
+        let Some(target) = target else { return pipeline.in_precision(Precision::Double) };
+        pipeline.for_layers(held_layers(&file.mesh, &target.options)).in_precision(target.precision())
     }
 
     fn makes_json(&self) -> bool {
@@ -166,6 +184,11 @@ impl Repair {
     fn check_files(&self) -> Result<(), Failure> {
         if self.report_maps && !self.makes_json() {
             return Err(Failure::usage("--report-maps needs --json or --report"));
+        }
+        if self.report.as_deref().is_some_and(is_stream) {
+            return Err(Failure::usage(
+                "--report writes a file; --json prints the report to standard output",
+            ));
         }
         Files::of_mesh(&self.input)
             .reading("--plan", self.policies.plan_file(), Content::Plan)
@@ -207,7 +230,7 @@ impl Repair {
         if self.dry_run {
             return;
         }
-        document.output = Some(name(path));
+        document.output = Some(output_name(path));
         if let Some(after) = &mut document.after {
             (after.file, after.format) = (document.output.clone(), words::variant(options));
         }
@@ -219,13 +242,14 @@ impl Repair {
         &self,
         output: Option<(&Target<'_>, &Prepared)>,
         document: &RepairDocument,
+        console: &mut Console<'_>,
     ) -> Result<(), Failure> {
-        let Some(report) = &self.report else { return self.write_mesh(output) };
+        let Some(report) = &self.report else { return self.write_mesh(output, console) };
         let text = json_line(document)?;
         let written = replace_file(report, |out| -> Result<(), Interrupted> {
             out.write_all(text.as_bytes())?;
             out.flush()?;
-            self.write_mesh(output).map_err(Interrupted::Mesh)
+            self.write_mesh(output, console).map_err(Interrupted::Mesh)
         });
         written.map_err(|interrupted| match interrupted {
             Interrupted::Mesh(failure) => failure,
@@ -233,9 +257,13 @@ impl Repair {
         })
     }
 
-    fn write_mesh(&self, output: Option<(&Target<'_>, &Prepared)>) -> Result<(), Failure> {
+    fn write_mesh(
+        &self,
+        output: Option<(&Target<'_>, &Prepared)>,
+        console: &mut Console<'_>,
+    ) -> Result<(), Failure> {
         match output {
-            Some((target, prepared)) if !self.dry_run => Ok(prepared.write(target.path)?),
+            Some((target, prepared)) if !self.dry_run => write_prepared(target.path, prepared, console),
             _ => Ok(()),
         }
     }

@@ -1,0 +1,136 @@
+//! What commands read and write: files, and for `-` the standard streams.
+//!
+//! A standard output that carries a mesh or a picture carries nothing else: reports then go to the stream for errors.
+
+use std::io::Write;
+use std::path::Path;
+
+use meshmend::io::{Prepared, ReadErrorKind, WriteError, read_stream, replace_file};
+use meshmend::{Format, Loss, PolygonMesh, ReadFile, ReadOptions, WriteOptions};
+
+use crate::console::Console;
+use crate::failure::{Failure, Status};
+use crate::words;
+
+/// What standard input is called in reports and messages.
+const INPUT: &str = "standard input";
+/// What standard output is called in reports and messages.
+const OUTPUT: &str = "standard output";
+
+/// In which format a file is read; by default in that of its content and name.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct InputWords {
+    /// The format of the input, whatever its name and content
+    #[arg(long = "from", value_name = "FORMAT", value_parser = words::format)]
+    from: Option<Format>,
+}
+
+impl InputWords {
+    /// Reads a file, or standard input, with the default limits.
+    pub(crate) fn read(self, path: &Path, console: &mut Console<'_>) -> Result<ReadFile, Failure> {
+        let options = ReadOptions { format: self.from, ..ReadOptions::default() };
+        if !is_stream(path) {
+            return Ok(meshmend::read(path, &options)?);
+        }
+        let Some(input) = console.take_input() else {
+            return Err(Failure::usage("standard input can be read only once"));
+        };
+        read_stream(input, INPUT, &options).map_err(|error| {
+            let is_unknown = matches!(error.kind, ReadErrorKind::UnknownFormat { looks_like: None });
+            let failure = Failure::from(error);
+            let hint = if is_unknown { "; --from tells it" } else { "" };
+            Failure { message: failure.message + hint, ..failure }
+        })
+    }
+}
+
+/// Whether a name stands for a standard stream.
+pub(crate) fn is_stream(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// What an input is called in reports and messages.
+pub(crate) fn name(path: &Path) -> String {
+    if is_stream(path) { INPUT.to_owned() } else { path.display().to_string() }
+}
+
+/// What an output is called in reports and messages.
+pub(crate) fn output_name(path: &Path) -> String {
+    if is_stream(path) { OUTPUT.to_owned() } else { path.display().to_string() }
+}
+
+/// Whether a report is printed as JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Report {
+    Text,
+    Json,
+}
+
+impl Report {
+    pub(crate) fn of(json: bool) -> Self {
+        if json { Report::Json } else { Report::Text }
+    }
+}
+
+/// Gives standard output over to what a command writes, if that goes there.
+///
+/// # Errors
+/// When a report as JSON belongs there too.
+pub(crate) fn reserve(output: &Path, report: Report, console: &mut Console<'_>) -> Result<(), Failure> {
+    if !is_stream(output) {
+        return Ok(());
+    }
+    if report == Report::Json {
+        let reason = "--json prints to standard output, which carries what is written to `-`; write one of them to a file";
+        return Err(Failure::usage(reason));
+    }
+    console.reserve_output();
+    Ok(())
+}
+
+/// Writes a mesh to a file, whole or not at all, or to standard output, and says what is lost.
+pub(crate) fn write_mesh(
+    output: &Path,
+    mesh: &PolygonMesh,
+    options: &WriteOptions,
+    console: &mut Console<'_>,
+) -> Result<Vec<Loss>, Failure> {
+    let failed = |kind| WriteError { file: output_name(output), kind };
+    let prepared = Prepared::new(mesh, options).map_err(failed)?;
+    write_prepared(output, &prepared, console)?;
+    Ok(prepared.losses())
+}
+
+/// Writes a mesh that is ready to a file, whole or not at all, or to standard output.
+pub(crate) fn write_prepared(
+    output: &Path,
+    prepared: &Prepared,
+    console: &mut Console<'_>,
+) -> Result<(), Failure> {
+    if !is_stream(output) {
+        return Ok(prepared.write(output)?);
+    }
+    let written = console.send(|out| prepared.encode(out));
+    Ok(written.map_err(|error| WriteError { file: OUTPUT.to_owned(), ..error })?)
+}
+
+/// Writes something else to a file, whole or not at all, or to standard output.
+pub(crate) fn write_with(
+    output: &Path,
+    console: &mut Console<'_>,
+    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    let written = if is_stream(output) { console.send(write) } else { replace_file(output, write) };
+    written.map_err(|error| Failure::unwritable(&output_name(output), error))
+}
+
+/// The failure when an output's format is not told.
+pub(crate) fn format_is_not_told(output: &Path) -> Failure {
+    let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
+    let why = match is_stream(output) {
+        true => "--to must tell the format",
+        false => "the name tells no format that can be written",
+    };
+    let message = format!("{}: {why}; known are {}", output_name(output), names.join(", "));
+    Failure { status: Status::Usage, message }
+}
