@@ -80,7 +80,7 @@ struct Pair {
 impl Pair {
     /// The words of the checker's command line.
     fn words(&self) -> Vec<String> {
-        let fixed = ["--ignore", "materials", "--ignore", "mtllib", "--ignore", "comments"].into_iter();
+        let fixed = ["--ignore", "materials", "--ignore", "mtllib"].into_iter();
         let mut words: Vec<String> = fixed.chain(self.options.iter().copied()).map(str::to_owned).collect();
         words.extend(named(&self.report).into_iter().flat_map(|name| ["--allow-missing".to_owned(), name]));
         words.extend([&self.before, &self.after].map(|path| path.to_string_lossy().into_owned()));
