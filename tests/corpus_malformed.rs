@@ -29,6 +29,8 @@ fn the_reader_refuses_what_it_has_to_and_says_where() {
             (Err(error), _) => match (&error.kind, error.place) {
                 (ReadErrorKind::Malformed(reason), Place::File) => Some(format!("has no place: {reason}")),
                 (ReadErrorKind::Malformed(_), _) => None,
+                // What surely is something else, such as UTF-16, is refused as that.
+                (ReadErrorKind::UnknownFormat { looks_like: Some(_) }, _) => None,
                 (other, _) => Some(format!("is refused for a reason of another kind: {other}")),
             },
         };
