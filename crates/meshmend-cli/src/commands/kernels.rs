@@ -2,17 +2,17 @@
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use clap::Args;
 use meshmend::core::{Complex, Connectivity};
 use meshmend::report::{KernelTrial, KernelsDocument};
-use meshmend::{KernelCost, KernelKind, KernelTask, PolygonMesh, Refusal, View};
+use meshmend::{KernelCost, KernelKind, KernelTask, PolygonMesh, View};
 
 use super::check::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
-use crate::render;
+use crate::render::{self, Trial};
 use crate::streams::{InputWords, name};
 use crate::words::{self, Welding};
 
@@ -36,13 +36,6 @@ pub(crate) struct Kernels {
     /// Print the times as JSON
     #[arg(long, requires = "bench")]
     json: bool,
-}
-
-/// How a kernel took a mesh.
-pub(crate) struct Trial {
-    pub(crate) kernel: KernelKind,
-    /// Bytes on the heap and the time to build, or why not.
-    pub(crate) result: Result<(usize, Duration), Refusal>,
 }
 
 impl Kernels {

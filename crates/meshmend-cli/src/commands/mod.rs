@@ -14,8 +14,6 @@ mod make;
 mod render;
 mod repair;
 
-pub(crate) use kernels::Trial;
-
 use std::path::PathBuf;
 use std::slice;
 

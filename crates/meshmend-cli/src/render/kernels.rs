@@ -1,12 +1,20 @@
 //! The kernels, and how they took a mesh.
 
 use meshmend::core::{Capabilities, counted};
+use std::time::Duration;
+use meshmend::core::Capabilities;
 use meshmend::report::{KernelTrial, KernelsDocument};
-use meshmend::{KernelKind, KernelQuestion};
+use meshmend::{KernelKind, KernelQuestion, Refusal};
 
 use super::table::{self, Align};
 use super::{Style, paragraph};
-use crate::commands::Trial;
+
+/// How a kernel took a mesh.
+pub(crate) struct Trial {
+    pub(crate) kernel: KernelKind,
+    /// Bytes on the heap and the time to build, or why not.
+    pub(crate) result: Result<(usize, Duration), Refusal>,
+}
 
 /// The list of kernels.
 pub(crate) fn kernels(style: Style) -> String {

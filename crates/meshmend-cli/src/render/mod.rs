@@ -20,7 +20,7 @@ pub(crate) use check::check;
 pub(crate) use conversion::conversion;
 pub(crate) use glossary::{defect_heading, explanation, glossary};
 pub(crate) use incremental::incremental;
-pub(crate) use kernels::{kernel_times, kernels, trials};
+pub(crate) use kernels::{Trial, kernel_times, kernels, trials};
 pub(crate) use loops::{cut, loops};
 pub(crate) use paper_tables::paper_tables;
 pub(crate) use picture::picture;
