@@ -23,17 +23,13 @@
 use std::sync::Arc;
 
 use crate::vertex_corners::VertexCorners;
-use crate::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, VertexId,
-};
+use crate::{Capabilities, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceIndex, VertexId};
 
 /// The edge-use table of a complex.
 #[derive(Clone, Debug)]
 pub struct EdgeUse {
-    faces: Arc<FaceTable>,
+    faces: FaceIndex,
     edges: Arc<EdgeTable>,
-    /// Absent when every face is a triangle.
-    corner_face: Option<Column<CornerId, FaceId>>,
     vertex_corners: Arc<VertexCorners>,
 }
 
@@ -42,33 +38,27 @@ impl Connectivity for EdgeUse {
     const CAPABILITIES: Capabilities = Capabilities::PERMISSIVE;
 
     fn assemble(complex: &Complex) -> Self {
-        let faces = complex.shared_faces();
-        let corner_face = (!faces.is_all_triangles()).then(|| {
-            let sizes = faces.faces().map(|f| (f, faces.corner_range(f).len()));
-            let mut owners = Vec::with_capacity(faces.corner_count());
-            sizes.for_each(|(face, size)| owners.extend(std::iter::repeat_n(face, size)));
-            owners.into()
-        });
+        let faces = FaceIndex::new(complex.shared_faces());
         let (edges, vertex_corners) = (complex.shared_edges(), complex.shared_vertex_corners());
-        EdgeUse { edges, faces, corner_face, vertex_corners }
+        EdgeUse { edges, faces, vertex_corners }
     }
 
     fn vertex_count(&self) -> usize {
-        self.faces.vertex_count()
+        self.faces.faces().vertex_count()
     }
     fn edge_count(&self) -> usize {
         self.edges.edge_count()
     }
     fn face_count(&self) -> usize {
-        self.faces.face_count()
+        self.faces.faces().face_count()
     }
     fn corner_count(&self) -> usize {
-        self.faces.corner_count()
+        self.faces.faces().corner_count()
     }
 
     #[inline]
     fn corner_vertex(&self, corner: CornerId) -> VertexId {
-        self.faces.corner_vertex(corner)
+        self.faces.faces().corner_vertex(corner)
     }
     #[inline]
     fn corner_edge(&self, corner: CornerId) -> EdgeId {
@@ -76,32 +66,15 @@ impl Connectivity for EdgeUse {
     }
     #[inline]
     fn corner_face(&self, corner: CornerId) -> FaceId {
-        match &self.corner_face {
-            None => FaceId(corner.0 / 3),
-            Some(owners) => owners[corner],
-        }
+        self.faces.corner_face(corner)
     }
     #[inline]
     fn next_corner(&self, corner: CornerId) -> CornerId {
-        match &self.corner_face {
-            None => CornerId(if corner.0 % 3 == 2 { corner.0 - 2 } else { corner.0 + 1 }),
-            Some(owners) => {
-                let range = self.faces.corner_range(owners[corner]);
-                let next = corner.index() + 1;
-                CornerId::new(if next == range.end { range.start } else { next })
-            }
-        }
+        self.faces.next_corner(corner)
     }
     #[inline]
     fn prev_corner(&self, corner: CornerId) -> CornerId {
-        match &self.corner_face {
-            None => CornerId(if corner.0.is_multiple_of(3) { corner.0 + 2 } else { corner.0 - 1 }),
-            Some(owners) => {
-                let range = self.faces.corner_range(owners[corner]);
-                let last = if corner.index() == range.start { range.end } else { corner.index() };
-                CornerId::new(last - 1)
-            }
-        }
+        self.faces.prev_corner(corner)
     }
     #[inline]
     fn edge_ends(&self, edge: EdgeId) -> [VertexId; 2] {
@@ -110,7 +83,7 @@ impl Connectivity for EdgeUse {
 
     #[inline]
     fn face_corners(&self, face: FaceId) -> impl Iterator<Item = CornerId> + Clone {
-        self.faces.face_corners(face)
+        self.faces.faces().face_corners(face)
     }
     #[inline]
     fn edge_corners(&self, edge: EdgeId) -> impl Iterator<Item = CornerId> + Clone {
@@ -126,8 +99,6 @@ impl Connectivity for EdgeUse {
     }
 
     fn heap_bytes(&self) -> usize {
-        self.edges.heap_bytes()
-            + self.corner_face.as_ref().map_or(0, Column::heap_bytes)
-            + self.vertex_corners.heap_bytes()
+        self.edges.heap_bytes() + self.faces.heap_bytes() + self.vertex_corners.heap_bytes()
     }
 }

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::{Column, Connectivity, CornerId, EdgeId, Id, VertexId};
+use crate::{Classes, Column, Connectivity, CornerId, EdgeId, Id, VertexId};
 
 /// What an edge is, by the number of sides that run along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -160,7 +160,7 @@ struct Star {
     /// The edges before and after each corner.
     edges: Vec<EdgeId>,
     edge_of_corner: Vec<(EdgeId, u32)>,
-    parent: Vec<u32>,
+    classes: Classes,
 }
 
 impl Star {
@@ -214,12 +214,11 @@ impl Star {
     }
 
     fn any_umbrellas(&mut self) -> Umbrellas {
-        self.parent.clear();
-        self.parent.extend(0..self.edges.len() as u32 / 2);
+        self.classes.reset(self.edges.len() / 2);
         self.edge_of_corner.clear();
         self.edge_of_corner.extend(self.edges.iter().zip(0..).map(|(&edge, at)| (edge, at / 2)));
         self.edge_of_corner.sort_unstable();
-        let mut found = Umbrellas { count: self.parent.len() as u32, ..Umbrellas::default() };
+        let mut found = Umbrellas { count: self.edges.len() as u32 / 2, ..Umbrellas::default() };
         for run in self.edge_of_corner.chunk_by(|one, other| one.0 == other.0) {
             match run.len() {
                 1 => found.boundary_edges += 1,
@@ -227,7 +226,7 @@ impl Star {
                 _ => found.singular = true,
             }
             for pair in run.windows(2) {
-                found.count -= u32::from(join(&mut self.parent, pair[0].1, pair[1].1));
+                found.count -= u32::from(self.classes.join(pair[0].1, pair[1].1));
             }
         }
         found
@@ -246,21 +245,6 @@ fn walk(partners: &[u8; 2 * FEW], start: u8, corners: usize) -> (usize, bool) {
         }
     }
     (corners, false)
-}
-
-/// Joins two classes; says whether they were apart.
-fn join(parent: &mut [u32], one: u32, other: u32) -> bool {
-    let (one, other) = (root(parent, one), root(parent, other));
-    parent[one.max(other) as usize] = one.min(other);
-    one != other
-}
-
-fn root(parent: &mut [u32], mut at: u32) -> u32 {
-    while parent[at as usize] != at {
-        parent[at as usize] = parent[parent[at as usize] as usize];
-        at = parent[at as usize];
-    }
-    at
 }
 
 #[cfg(test)]

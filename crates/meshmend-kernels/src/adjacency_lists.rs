@@ -21,10 +21,8 @@
 //!
 //! *Source*: the classical adjacency relations, as in course notes on the storage of polygonal meshes.
 
-use std::sync::Arc;
-
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceTable, Id, VertexId,
+    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceIndex, Id, VertexId,
 };
 
 use crate::lists::Lists;
@@ -33,9 +31,7 @@ use crate::registry::Explained;
 /// The adjacency lists of a complex.
 #[derive(Clone, Debug)]
 pub struct AdjacencyLists {
-    faces: Arc<FaceTable>,
-    /// Absent when every face is a triangle.
-    corner_face: Option<Column<CornerId, FaceId>>,
+    faces: FaceIndex,
     face_edges: Column<CornerId, EdgeId>,
     edge_ends: Column<EdgeId, [VertexId; 2]>,
     edge_corners: Lists<EdgeId, CornerId>,
@@ -85,13 +81,12 @@ impl Connectivity for AdjacencyLists {
         let vertex_corners = Lists::group(faces.vertex_count(), corners_by_vertex);
 
         AdjacencyLists {
-            corner_face: (!faces.is_all_triangles()).then(|| face_of_each_corner(&faces)),
             face_edges: face_edges.into(),
             edge_ends: edge_ends.into(),
             edge_corners,
             vertex_edges,
             vertex_corners,
-            faces,
+            faces: FaceIndex::new(faces),
         }
     }
 
@@ -102,7 +97,7 @@ impl Connectivity for AdjacencyLists {
         self.edge_ends.len()
     }
     fn face_count(&self) -> usize {
-        self.faces.face_count()
+        self.faces.faces().face_count()
     }
     fn corner_count(&self) -> usize {
         self.face_edges.len()
@@ -110,7 +105,7 @@ impl Connectivity for AdjacencyLists {
 
     #[inline]
     fn corner_vertex(&self, corner: CornerId) -> VertexId {
-        self.faces.corner_vertex(corner)
+        self.faces.faces().corner_vertex(corner)
     }
     #[inline]
     fn corner_edge(&self, corner: CornerId) -> EdgeId {
@@ -118,22 +113,15 @@ impl Connectivity for AdjacencyLists {
     }
     #[inline]
     fn corner_face(&self, corner: CornerId) -> FaceId {
-        match &self.corner_face {
-            None => FaceId(corner.0 / 3),
-            Some(owners) => owners[corner],
-        }
+        self.faces.corner_face(corner)
     }
     #[inline]
     fn next_corner(&self, corner: CornerId) -> CornerId {
-        let range = self.faces.corner_range(self.corner_face(corner));
-        let next = corner.index() + 1;
-        CornerId::new(if next == range.end { range.start } else { next })
+        self.faces.next_corner(corner)
     }
     #[inline]
     fn prev_corner(&self, corner: CornerId) -> CornerId {
-        let range = self.faces.corner_range(self.corner_face(corner));
-        let end = if corner.index() == range.start { range.end } else { corner.index() };
-        CornerId::new(end - 1)
+        self.faces.prev_corner(corner)
     }
     #[inline]
     fn edge_ends(&self, edge: EdgeId) -> [VertexId; 2] {
@@ -142,7 +130,7 @@ impl Connectivity for AdjacencyLists {
 
     #[inline]
     fn face_corners(&self, face: FaceId) -> impl Iterator<Item = CornerId> + Clone {
-        self.faces.face_corners(face)
+        self.faces.faces().face_corners(face)
     }
     #[inline]
     fn edge_corners(&self, edge: EdgeId) -> impl Iterator<Item = CornerId> + Clone {
@@ -154,7 +142,7 @@ impl Connectivity for AdjacencyLists {
     }
 
     fn heap_bytes(&self) -> usize {
-        self.corner_face.as_ref().map_or(0, Column::heap_bytes)
+        self.faces.heap_bytes()
             + self.face_edges.heap_bytes()
             + self.edge_ends.heap_bytes()
             + self.edge_corners.heap_bytes()
@@ -163,16 +151,12 @@ impl Connectivity for AdjacencyLists {
     }
 }
 
-fn face_of_each_corner(faces: &FaceTable) -> Column<CornerId, FaceId> {
-    let mut owners = Vec::with_capacity(faces.corner_count());
-    for face in faces.faces() {
-        owners.extend(std::iter::repeat_n(face, faces.corner_range(face).len()));
-    }
-    owners.into()
-}
-
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use meshmend_core::FaceTable;
+
     use super::*;
 
     #[test]

@@ -103,15 +103,11 @@ impl Connectivity for FaceVertex {
     }
     #[inline]
     fn next_corner(&self, corner: CornerId) -> CornerId {
-        let range = self.faces.corner_range(self.corner_face(corner));
-        let next = corner.index() + 1;
-        CornerId::new(if next == range.end { range.start } else { next })
+        self.faces.corner_after(self.corner_face(corner), corner)
     }
     #[inline]
     fn prev_corner(&self, corner: CornerId) -> CornerId {
-        let range = self.faces.corner_range(self.corner_face(corner));
-        let end = if corner.index() == range.start { range.end } else { corner.index() };
-        CornerId::new(end - 1)
+        self.faces.corner_before(self.corner_face(corner), corner)
     }
     #[inline]
     fn edge_ends(&self, edge: EdgeId) -> [VertexId; 2] {

@@ -10,7 +10,7 @@
 //! manifold surfaces*, 2001.
 
 use meshmend_core::{
-    Column, Connectivity, CornerId, Defect, Draft, DraftError, EdgeClass, EdgeId, EdgeUse, FaceId,
+    Classes, Column, Connectivity, CornerId, Defect, Draft, DraftError, EdgeClass, EdgeId, EdgeUse, FaceId,
     FaceTableBuilder, FaceTableError, Id, PolygonMesh, Provenance, Sources, VertexClass, VertexId,
     edge_class, umbrellas,
 };
@@ -184,7 +184,7 @@ impl Parts {
         for &vertex in &cut.vertices {
             star.divide(kernel, vertex, &cut.is_cut);
             for place in 0..star.corners.len() {
-                let lowest = star.root(place);
+                let lowest = star.classes.root(place as u32) as usize;
                 let part = if place == 0 {
                     vertex
                 } else if place == lowest {
@@ -258,8 +258,7 @@ impl Parts {
 struct Star {
     /// Ascending.
     corners: Vec<CornerId>,
-    /// The root of a class is its lowest place.
-    parent: Vec<usize>,
+    classes: Classes,
     sides: Vec<(EdgeId, usize)>,
 }
 
@@ -267,8 +266,7 @@ impl Star {
     fn divide(&mut self, kernel: &EdgeUse, vertex: VertexId, is_cut: &Column<EdgeId, bool>) {
         self.corners.clear();
         self.corners.extend(kernel.vertex_corners(vertex));
-        self.parent.clear();
-        self.parent.extend(0..self.corners.len());
+        self.classes.reset(self.corners.len());
         self.sides.clear();
         for (place, &corner) in self.corners.iter().enumerate() {
             let sides = [corner, kernel.prev_corner(corner)].map(|side| kernel.corner_edge(side));
@@ -278,17 +276,8 @@ impl Star {
         for i in 1..self.sides.len() {
             let [(before, one), (edge, other)] = [self.sides[i - 1], self.sides[i]];
             if before == edge {
-                let (one, other) = (self.root(one), self.root(other));
-                self.parent[one.max(other)] = one.min(other);
+                self.classes.join(one as u32, other as u32);
             }
         }
-    }
-
-    fn root(&mut self, mut place: usize) -> usize {
-        while self.parent[place] != place {
-            self.parent[place] = self.parent[self.parent[place]];
-            place = self.parent[place];
-        }
-        place
     }
 }

@@ -10,7 +10,7 @@
 //!
 //! Faces joined across matched uses make a *patch* of the repair.
 
-use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId, VertexId};
+use meshmend_core::{Column, Connectivity, CornerId, EdgeId, VertexId};
 
 use crate::StoredNames;
 use crate::copies::Copies;
@@ -177,84 +177,4 @@ impl StoredGroups {
 /// Whether two sides along the same edge run the same way.
 pub(crate) fn run_the_same_way<K: Connectivity>(kernel: &K, one: CornerId, other: CornerId) -> bool {
     kernel.corner_vertex(one) == kernel.corner_vertex(other)
-}
-
-/// Classes of faces with, for each face, whether it lies on the other side than its class's root.
-///
-/// *Source*: union-find with parity; path halving and union by size.
-pub(crate) struct SidedSets {
-    parent: Column<FaceId, FaceId>,
-    is_turned: Column<FaceId, bool>,
-    size: Column<FaceId, u32>,
-}
-
-impl SidedSets {
-    pub(crate) fn new(face_count: usize) -> Self {
-        SidedSets {
-            parent: (0..face_count as u32).map(FaceId).collect(),
-            is_turned: Column::filled(false, face_count),
-            size: Column::filled(1, face_count),
-        }
-    }
-
-    /// The root of a face's class, and whether the face is turned against it.
-    pub(crate) fn find(&mut self, face: FaceId) -> (FaceId, bool) {
-        let (mut at, mut turned) = (face, false);
-        while self.parent[at] != at {
-            let up = self.parent[at];
-            let step = self.is_turned[at];
-            if self.parent[up] != up {
-                // Skip a generation: the grandparent's side is the two steps together.
-                self.parent[at] = self.parent[up];
-                self.is_turned[at] = step ^ self.is_turned[up];
-            }
-            turned ^= self.is_turned[at];
-            at = self.parent[at];
-        }
-        (at, turned)
-    }
-
-    /// Joins two classes so that the two faces are turned against each other or not.
-    pub(crate) fn join(&mut self, one: FaceId, other: FaceId, turned: bool) -> Joined {
-        let ((a, side_a), (b, side_b)) = (self.find(one), self.find(other));
-        let turned = turned ^ side_a ^ side_b;
-        if a == b {
-            return if turned { Joined::Contradicts { root: a } } else { Joined::Agrees };
-        }
-        let (root, child) = if self.size[a] < self.size[b] { (b, a) } else { (a, b) };
-        self.parent[child] = root;
-        self.is_turned[child] = turned;
-        self.size[root] += self.size[child];
-        Joined::Merged { root, child }
-    }
-}
-
-/// What joining two faces did.
-pub(crate) enum Joined {
-    /// They were in one class already, on the sides asked for.
-    Agrees,
-    /// They were in one class already, and not on those sides.
-    Contradicts { root: FaceId },
-    /// Their classes became one.
-    Merged { root: FaceId, child: FaceId },
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sides_add_up_along_chains() {
-        let mut sets = SidedSets::new(6);
-        for f in 0..5 {
-            sets.join(FaceId(f), FaceId(f + 1), true);
-        }
-        for one in 0..6 {
-            for other in 0..6 {
-                let turned = (one + other) % 2 == 1;
-                assert!(matches!(sets.join(FaceId(one), FaceId(other), turned), Joined::Agrees));
-                assert!(matches!(sets.join(FaceId(one), FaceId(other), !turned), Joined::Contradicts { .. }));
-            }
-        }
-    }
 }

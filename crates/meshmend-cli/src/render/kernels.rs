@@ -1,8 +1,8 @@
 //! The kernels, and how they took a mesh.
 
-use meshmend::core::{Capabilities, counted};
 use std::time::Duration;
-use meshmend::core::Capabilities;
+
+use meshmend::core::{Capabilities, counted};
 use meshmend::report::{KernelTrial, KernelsDocument};
 use meshmend::{KernelKind, KernelQuestion, Refusal};
 

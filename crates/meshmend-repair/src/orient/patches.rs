@@ -5,11 +5,11 @@
 
 use std::cmp::Reverse;
 
-use meshmend_core::{Column, Connectivity, FaceId, PolygonMesh, Unjudged};
+use meshmend_core::{Column, Connectivity, FaceId, Joined, PolygonMesh, SidedClasses, Unjudged};
 
 use super::cycles::{Cycles, Owners};
 use super::uses::Pair;
-use crate::matching::{Joined, SidedSets, run_the_same_way};
+use crate::matching::run_the_same_way;
 use crate::volume::SignedVolume;
 
 /// How the side of a patch is chosen.
@@ -38,7 +38,7 @@ pub(crate) struct Patches<'a, K> {
     cycles: &'a Cycles,
     sides: Sides,
     contradiction: Contradiction,
-    sets: SidedSets,
+    sets: SidedClasses<FaceId>,
     owners: Owners,
     pub(crate) is_alive: Column<FaceId, bool>,
     pub(crate) is_flipped: Column<FaceId, bool>,
@@ -90,7 +90,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
         };
         Patches {
             patch: each().map(patch).collect(),
-            sets: SidedSets::new(count),
+            sets: SidedClasses::new(count),
             next_member: each().collect(),
             next_piece: each().collect(),
             kernel,

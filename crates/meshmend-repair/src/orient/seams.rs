@@ -4,12 +4,12 @@
 //! decides where the seam is, and the pairs of a short one come last. A pair of rule 1 is only cut where rule 1 alone
 //! contradicts: what was cut before is stitched by rule 2, and stays cut at the same place.
 
-use meshmend_core::{Column, Connectivity, CornerId, FaceId};
+use meshmend_core::{Column, Connectivity, CornerId, FaceId, Joined, SidedClasses};
 use meshmend_topology::{DualEdge, short_seam};
 
 use super::uses::Pair;
 use crate::StoredNames;
-use crate::matching::{Joined, SidedSets, run_the_same_way};
+use crate::matching::run_the_same_way;
 
 /// The pairs in their order, but for those of short seams, which come last.
 ///
@@ -35,7 +35,7 @@ pub(super) fn seams_last<K: Connectivity>(
 
 /// Whether a face is in a class in which pairs contradict.
 fn twisted_faces<K: Connectivity>(kernel: &K, pairs: &[Pair]) -> Column<FaceId, bool> {
-    let mut sets = SidedSets::new(kernel.face_count());
+    let mut sets = SidedClasses::new(kernel.face_count());
     let mut contradicted = Vec::new();
     for &(one, other) in pairs {
         let (f, g) = (kernel.corner_face(one), kernel.corner_face(other));

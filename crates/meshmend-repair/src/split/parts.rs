@@ -3,7 +3,7 @@
 //! Two corners hang together when they meet across matched sides. A disc or half-disc of which no side was parted is
 //! one part by its nature, so only the other vertices are looked at, each by itself.
 
-use meshmend_core::{Connectivity, CornerId, VertexClass, VertexId};
+use meshmend_core::{Classes, Connectivity, CornerId, VertexClass, VertexId};
 
 use crate::matching::{Matching, run_the_same_way};
 
@@ -52,7 +52,7 @@ impl VertexParts {
 
     fn add(&mut self, vertex: VertexId, star: &mut Star) {
         for place in 0..star.corners.len() {
-            let (corner, root) = (star.corners[place], star.root(place as u32));
+            let (corner, root) = (star.corners[place], star.classes.root(place as u32));
             // A root is the lowest of its class, so it comes first.
             if root == place as u32 {
                 star.part[place] = self.parts.len() as u32;
@@ -82,7 +82,7 @@ pub(super) fn corners_that_meet<K: Connectivity>(
 struct Star {
     /// Ascending.
     corners: Vec<CornerId>,
-    parent: Vec<u32>,
+    classes: Classes,
     part: Vec<u32>,
 }
 
@@ -97,8 +97,7 @@ impl Star {
         self.corners.clear();
         self.corners.extend(kernel.vertex_corners(vertex));
         self.corners.sort_unstable();
-        self.parent.clear();
-        self.parent.extend(0..self.corners.len() as u32);
+        self.classes.reset(self.corners.len());
         self.part.clear();
         self.part.resize(self.corners.len(), 0);
         for place in 0..self.corners.len() {
@@ -116,15 +115,6 @@ impl Star {
     fn union(&mut self, place: usize, other: CornerId) {
         // Partners run along the same edge, so the other corner is at the same vertex.
         let Ok(other) = self.corners.binary_search(&other) else { return };
-        let (one, other) = (self.root(place as u32), self.root(other as u32));
-        self.parent[one.max(other) as usize] = one.min(other);
-    }
-
-    fn root(&mut self, mut at: u32) -> u32 {
-        while self.parent[at as usize] != at {
-            self.parent[at as usize] = self.parent[self.parent[at as usize] as usize];
-            at = self.parent[at as usize];
-        }
-        at
+        self.classes.join(place as u32, other as u32);
     }
 }

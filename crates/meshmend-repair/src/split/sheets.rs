@@ -13,13 +13,13 @@
 
 use std::collections::VecDeque;
 
-use meshmend_core::{Column, Connectivity, EdgeId, FaceId, PolygonMesh};
+use meshmend_core::{Column, Connectivity, EdgeId, FaceId, Joined, PolygonMesh, SidedClasses};
 use rayon::prelude::*;
 use smallvec::SmallVec;
 
 use super::radial::{RadialUse, radial_order};
 use crate::copies::Copies;
-use crate::matching::{Joined, Matching, SidedSets, may_match, run_the_same_way};
+use crate::matching::{Matching, may_match, run_the_same_way};
 use crate::volume::SignedVolume;
 
 /// Completes a matching at the edges where two or more uses are free.
@@ -104,7 +104,7 @@ impl PatchSides {
     /// The patches alone, with those that have no consistent side.
     pub(super) fn patches<K: Connectivity>(kernel: &K, matching: &Matching) -> Self {
         const NONE: u32 = u32::MAX;
-        let mut sets = SidedSets::new(kernel.face_count());
+        let mut sets = SidedClasses::new(kernel.face_count());
         let mut contradicted = Vec::new();
         for (one, other) in matching.pairs() {
             let (f, g) = (kernel.corner_face(one), kernel.corner_face(other));
