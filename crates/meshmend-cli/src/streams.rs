@@ -26,6 +26,10 @@ pub(crate) struct InputWords {
 }
 
 impl InputWords {
+    pub(crate) fn of(from: Option<Format>) -> Self {
+        InputWords { from }
+    }
+
     /// Reads a file, or standard input, with the default limits.
     pub(crate) fn read(self, path: &Path, console: &mut Console<'_>) -> Result<ReadFile, Failure> {
         let options = ReadOptions { format: self.from, ..ReadOptions::default() };

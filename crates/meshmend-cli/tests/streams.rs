@@ -198,6 +198,8 @@ fn a_told_format_goes_before_name_and_content() {
     let headless = folder.with("a.txt", "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     meshmend(&["check", &headless]).fails(3, "the format is not known");
     meshmend(&["check", "--from", "off", &headless]).fails(0, "");
+    meshmend(&["kernels", "--from", "off", &headless]).succeeds();
+    meshmend(&["kernels", "--from", "off"]).fails(2, "FILE");
     let obj = folder.with("a.ply", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let recognised = meshmend(&["check", &obj]);
     assert!(

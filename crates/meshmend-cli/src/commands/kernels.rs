@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use meshmend::core::{Complex, Connectivity};
 use meshmend::report::{KernelTrial, KernelsDocument};
-use meshmend::{KernelCost, KernelKind, KernelTask, PolygonMesh, View};
+use meshmend::{Format, KernelCost, KernelKind, KernelTask, PolygonMesh, View};
 
 use super::check::json_line;
 use crate::console::Console;
@@ -22,8 +22,9 @@ pub(crate) struct Kernels {
     /// The mesh file; `-` is standard input
     #[arg(value_name = "FILE")]
     pub(super) file: Option<PathBuf>,
-    #[command(flatten)]
-    from: InputWords,
+    /// The format of the input, whatever its name and content
+    #[arg(long, value_name = "FORMAT", value_parser = words::format, requires = "file")]
+    from: Option<Format>,
     /// Look at the mesh as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding, requires = "file")]
     weld: Option<Welding>,
@@ -44,7 +45,7 @@ impl Kernels {
             console.write(&render::kernels(console.style()))?;
             return Ok(Status::Done);
         };
-        let file = self.from.read(path, console)?;
+        let file = InputWords::of(self.from).read(path, console)?;
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
         let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
         drop(file);
