@@ -88,7 +88,9 @@ impl DepthBuffer {
             let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
                 (low.min(place), high.max(place))
             });
-            [sample_from(low, most), sample_from(high, most)]
+            let first = sample_from(low, most);
+            // Where all corners lie on one side, or one is not a number, the box covers no sample.
+            [first, sample_from(high, most).max(first)]
         })
     }
 

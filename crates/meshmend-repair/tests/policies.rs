@@ -113,7 +113,7 @@ fn a_chain_of_duplicates_is_followed_to_its_end() {
     }
 }
 
-/// Three squares over the same four vertices: no diagonal is free, and the centres of all three are one point.
+/// Three squares over the same four vertices: no diagonal is free, so each gets a vertex on one of its diagonals.
 #[test]
 fn created_vertices_do_not_coincide() {
     let positions = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[x, y]| [f64::from(x), f64::from(y), 0.0]).to_vec();
@@ -122,8 +122,8 @@ fn created_vertices_do_not_coincide() {
     plan.triangulate.faces = TriangulateFaces::All;
     let repaired = plan.pipeline().run(&hemicube.mesh()).unwrap();
     assert_eq!((repaired.provenance.created.len(), repaired.mesh.counts().faces), (3, 12));
-    let created = [[0.5, 0.5, 0.0], [0.25, 0.25, 0.0], [0.75, 0.25, 0.0]];
-    assert_eq!(repaired.mesh.positions()[4..], created, "the middle, and halfway from there to corners");
+    let created = [[0.5, 0.5, 0.0], [0.5, 1.0, 0.0], [1.0, 0.5, 0.0]];
+    assert_eq!(repaired.mesh.positions()[4..], created, "the middle of a diagonal of each");
     let lowest = meshmend_repair::coincident_vertices(&repaired.mesh);
     assert!(lowest.iter().zip(0..).all(|(low, v)| low.0 == v));
 }
