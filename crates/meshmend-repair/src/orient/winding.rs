@@ -5,6 +5,8 @@
 //! them. On the way to the place of a smaller part the windings change only where a triangle of the list is crossed. A
 //! shell without a triangle in the list winds as often round all points of the part, and is only counted from there on.
 
+use std::ops::Range;
+
 use super::crossing::{Triangle, crossing, is_on};
 use meshmend_geometry::vector::{Point, cross, dot, length, minus};
 
@@ -33,7 +35,10 @@ pub(super) struct Answer {
 }
 
 /// Nearer to a triangle than this, in parts of its size, a point may be on it.
-const CLOSE: f64 = 1e-4;
+const CLOSE: f64 = 1e-8;
+
+/// What coordinates may be off by, in parts of the largest.
+const ROUNDING: f64 = 1e-14;
 
 /// Coordinates beyond this make volumes that are no numbers.
 const LARGEST: f64 = 1e100;
@@ -84,24 +89,34 @@ impl Bounds {
         (1..3).fold((0, length(0)), |best, i| if length(i) > best.1 { (i, length(i)) } else { best })
     }
 
-    /// Whether a triangle comes near the box; where that is not sure, it does.
+    /// Whether a triangle comes near the box; where that is not sure, it does. It does not where the shadows of both on
+    /// some line lie apart: along an axis, along the triangle's normal, or across one of its sides and an axis.
     fn is_near(&self, triangle: &Triangle) -> bool {
         let own = Bounds::of(triangle.iter().copied());
-        let close = CLOSE * own.longest().1;
-        let is_apart = |i: usize| own.low[i] - close > self.high[i] || own.high[i] + close < self.low[i];
-        if (0..3).any(is_apart) {
+        let middle = self.middle();
+        let largest = (0..3).map(|i| middle[i].abs().max(own.low[i].abs()).max(own.high[i].abs()));
+        let close = CLOSE * own.longest().1 + ROUNDING * largest.fold(0.0, f64::max);
+        let is_beside = |i: usize| own.low[i] - close > self.high[i] || own.high[i] + close < self.low[i];
+        if (0..3).any(is_beside) {
             return false;
         }
-        let [a, b, c] = *triangle;
-        let normal = cross(minus(b, a), minus(c, a));
-        let middle = self.middle();
-        let reach: f64 = (0..3).map(|i| normal[i].abs() * (self.high[i] - self.low[i]) / 2.0).sum();
-        let largest = (0..3).map(|i| middle[i].abs().max(a[i].abs())).fold(0.0, f64::max);
-        let rounding = 1e-14 * largest;
-        let distance = dot(normal, minus(middle, a)).abs();
-        // A comparison with what is no number says that it may be near.
-        let is_beside = distance > 1.000_001 * (reach + length(normal) * (close + rounding));
-        !is_beside
+        let corners = triangle.map(|corner| minus(corner, middle));
+        let half: Point = std::array::from_fn(|i| (self.high[i] - self.low[i]) / 2.0);
+        let is_apart = |line: Point| {
+            let shadow = corners.map(|corner| dot(line, corner));
+            let reach: f64 = (0..3).map(|i| line[i].abs() * half[i]).sum();
+            let most = 1.000_001 * (reach + length(line) * close);
+            // What is no number is apart from nothing.
+            shadow.iter().all(|&at| at > most) || shadow.iter().all(|&at| at < -most)
+        };
+        let sides: [Point; 3] = std::array::from_fn(|i| minus(corners[(i + 1) % 3], corners[i]));
+        if is_apart(cross(sides[0], sides[1])) {
+            return false;
+        }
+        // What is smaller than the box is rarely told apart by the other lines.
+        let unit = |axis: usize| std::array::from_fn(|i| f64::from(u8::from(i == axis)));
+        let across = |side: Point| (0..3).map(move |axis| cross(side, unit(axis)));
+        own.longest().1 <= self.longest().1 || !sides.into_iter().flat_map(across).any(is_apart)
     }
 }
 
@@ -114,14 +129,16 @@ struct Near {
 }
 
 /// What is known where some points are.
-struct Part<'a> {
+#[derive(Clone)]
+struct Part {
     bounds: Bounds,
     place: Point,
     /// How many of the shells that are not near wind round all of the points.
     around: usize,
-    near: Vec<Near>,
-    /// The triangles of the shells that are near, shell by shell.
-    triangles: Vec<&'a Triangle>,
+    /// Which of the search's shells are near.
+    near: Range<usize>,
+    /// Which of the search's triangles are near: those of the shells, shell by shell.
+    triangles: Range<usize>,
 }
 
 /// The search.
@@ -129,6 +146,10 @@ pub(super) struct Windings<'a> {
     shells: &'a [&'a Shell],
     queries: &'a [Query],
     answers: Vec<Answer>,
+    /// The shells near the part that is looked at, after those near the parts that it is a part of.
+    near: Vec<Near>,
+    /// Their triangles, likewise.
+    triangles: Vec<&'a Triangle>,
     /// Which query lies on a shell.
     query_on: Vec<Option<u32>>,
     /// The part that a query was in last.
@@ -151,6 +172,8 @@ impl<'a> Windings<'a> {
             shells,
             queries,
             answers: vec![Answer::default(); queries.len()],
+            near: Vec::new(),
+            triangles: Vec::new(),
             query_on,
             part_of: vec![0; queries.len()],
             parts: 0,
@@ -169,44 +192,52 @@ impl<'a> Windings<'a> {
         Bounds::of(places.iter().map(|&place| self.queries[place as usize].point))
     }
 
-    /// All points, with all shells.
-    fn whole(&mut self, places: &[u32]) -> Part<'a> {
+    /// A part of some points, with nothing near it yet.
+    fn begin(&mut self, places: &[u32], around: usize) -> Part {
         let bounds = self.bounds(places);
-        let place = bounds.middle();
-        let mut whole = Part { bounds, place, around: 0, near: Vec::new(), triangles: Vec::new() };
         self.parts += 1;
         places.iter().for_each(|&query| self.part_of[query as usize] = self.parts);
-        for (number, shell) in self.shells.iter().enumerate().filter(|(_, shell)| shell.is_sound()) {
+        let (near, triangles) = (self.near.len(), self.triangles.len());
+        Part { bounds, place: bounds.middle(), around, near: near..near, triangles: triangles..triangles }
+    }
+
+    /// All points, with all shells.
+    fn whole(&mut self, places: &[u32]) -> Part {
+        let mut whole = self.begin(places, 0);
+        let place = whole.place;
+        let shells = self.shells;
+        for (number, shell) in shells.iter().enumerate().filter(|(_, shell)| shell.is_sound()) {
             // From outside of the shell to the place.
             let outside = shell.bounds.high[0].max(place[0]) + 1.0 + shell.bounds.longest().1;
             let crossings = shell.triangles.iter().map(|triangle| crossing(triangle, place, 0, outside));
             let winding = if shell.bounds.holds(place) { -crossings.sum::<i32>() } else { 0 };
-            let near = shell.triangles.iter().filter(|triangle| bounds.is_near(triangle));
-            let before = whole.triangles.len();
-            whole.triangles.extend(near);
-            let triangles = whole.triangles.len() - before;
-            self.keep(&mut whole, Near { shell: number as u32, winding, triangles });
+            let near = shell.triangles.iter().filter(|triangle| whole.bounds.is_near(triangle));
+            self.triangles.extend(near);
+            self.keep(&mut whole, number as u32, winding);
         }
         whole
     }
 
-    /// Keeps a shell that is near, or counts one that winds round the part from afar.
-    fn keep(&mut self, part: &mut Part<'a>, near: Near) {
-        if near.triangles > 0 {
-            part.near.push(near);
-        } else if near.winding != 0 {
+    /// Keeps a shell whose triangles that are near have been listed; counts one that has none and winds round the part
+    /// from afar.
+    fn keep(&mut self, part: &mut Part, shell: u32, winding: i32) {
+        let triangles = self.triangles.len() - part.triangles.end;
+        part.triangles.end = self.triangles.len();
+        if triangles > 0 {
+            self.near.push(Near { shell, winding, triangles });
+            part.near.end = self.near.len();
+        } else if winding != 0 {
             part.around += 1;
             // A face that is not plane may be far from its own middle.
-            if let Some(own) =
-                self.query_on[near.shell as usize].filter(|&own| self.part_of[own as usize] == self.parts)
-            {
+            let own = self.query_on[shell as usize];
+            if let Some(own) = own.filter(|&own| self.part_of[own as usize] == self.parts) {
                 self.answers[own as usize].own_is_around = true;
             }
         }
     }
 
     /// Answers for points by parting them.
-    fn part(&mut self, places: &mut [u32], part: &Part<'a>) {
+    fn part(&mut self, places: &mut [u32], part: &Part) {
         let (axis, length) = part.bounds.longest();
         if places.len() == 1 || part.triangles.len() <= FEW_TRIANGLES || length == 0.0 {
             places.iter().for_each(|&place| self.answer(place, part));
@@ -221,37 +252,38 @@ impl<'a> Windings<'a> {
         for half in [before, after] {
             let smaller = self.narrowed(part, half);
             self.part(half, &smaller);
+            self.near.truncate(part.near.end);
+            self.triangles.truncate(part.triangles.end);
         }
     }
 
     /// What is known where some of a part's points are.
-    fn narrowed(&mut self, part: &Part<'a>, places: &[u32]) -> Part<'a> {
-        let bounds = self.bounds(places);
-        let place = bounds.middle();
-        let mut smaller =
-            Part { bounds, place, around: part.around, near: Vec::new(), triangles: Vec::new() };
-        self.parts += 1;
-        places.iter().for_each(|&query| self.part_of[query as usize] = self.parts);
-        let mut rest = &part.triangles[..];
-        for near in &part.near {
-            let (own, others) = rest.split_at(near.triangles);
-            rest = others;
-            let winding = near.winding + change(own, part.place, place);
-            let before = smaller.triangles.len();
-            smaller.triangles.extend(own.iter().copied().filter(|triangle| bounds.is_near(triangle)));
-            let triangles = smaller.triangles.len() - before;
-            self.keep(&mut smaller, Near { winding, triangles, ..*near });
+    fn narrowed(&mut self, part: &Part, places: &[u32]) -> Part {
+        let mut smaller = self.begin(places, part.around);
+        let mut first = part.triangles.start;
+        for at in part.near.clone() {
+            let Near { shell, winding, triangles } = self.near[at];
+            let own = first..first + triangles;
+            first = own.end;
+            let winding = winding + change(&self.triangles[own.clone()], part.place, smaller.place);
+            for at in own {
+                let triangle = self.triangles[at];
+                if smaller.bounds.is_near(triangle) {
+                    self.triangles.push(triangle);
+                }
+            }
+            self.keep(&mut smaller, shell, winding);
         }
         smaller
     }
 
     /// Answers for one point.
-    fn answer(&mut self, place: u32, part: &Part<'a>) {
+    fn answer(&mut self, place: u32, part: &Part) {
         let Query { point, own } = self.queries[place as usize];
         let answer = &mut self.answers[place as usize];
         answer.inside = part.around - usize::from(answer.own_is_around);
-        let mut rest = &part.triangles[..];
-        for near in &part.near {
+        let mut rest = &self.triangles[part.triangles.clone()];
+        for near in &self.near[part.near.clone()] {
             let (triangles, others) = rest.split_at(near.triangles);
             rest = others;
             if own == Some(near.shell) || !self.shells[near.shell as usize].bounds.holds(point) {
