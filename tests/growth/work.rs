@@ -6,7 +6,7 @@ use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_render::{
     Camera, Outlines, Scene, Size, boundary, components, inconsistent, non_manifold, witness,
 };
-use meshmend_repair::{Plan, Side, SplitEdges, TriangulateFaces};
+use meshmend_repair::{Emptying, Plan, Side, SplitEdges, TriangulateFaces};
 use meshmend_topology::{TopologyReport, topology};
 
 /// What is done with a mesh.
@@ -92,7 +92,7 @@ impl Work {
 fn repair(mesh: &PolygonMesh, choose: impl FnOnce(&mut Plan)) {
     let mut plan = Plan::default();
     choose(&mut plan);
-    plan.pipeline().run(mesh).expect("these policies take any mesh");
+    plan.pipeline().on_emptying(Emptying::Allow).run(mesh).expect("these policies take any mesh");
 }
 
 fn files(mesh: &PolygonMesh) {

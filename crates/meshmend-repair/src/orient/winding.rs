@@ -206,6 +206,8 @@ impl<'a> Windings<'a> {
         let mut whole = self.begin(places, 0);
         let place = whole.place;
         let shells = self.shells;
+        // The lists of parts of parts come to about as much again, where shells lie apart.
+        self.triangles.reserve(2 * shells.iter().map(|shell| shell.triangles.len()).sum::<usize>());
         for (number, shell) in shells.iter().enumerate().filter(|(_, shell)| shell.is_sound()) {
             // From outside of the shell to the place.
             let outside = shell.bounds.high[0].max(place[0]) + 1.0 + shell.bounds.longest().1;
