@@ -103,7 +103,11 @@ fn differences(old: &PolygonMesh, new: &PolygonMesh, format: Format) -> Vec<Diff
         .filter(|layer| has_values(layer) && !same_layer(layer, new) && !is_spread(layer, new))
     {
         let difference = Difference::of(format!("{layer:?}"), &unnamed);
-        found.push(difference.or(&[LossKind::Layer, LossKind::AbsentValue], &format!("`{}`", layer.name())));
+        let difference =
+            difference.or(&[LossKind::Layer, LossKind::AbsentValue], &format!("`{}`", layer.name()));
+        let alpha = [LossKind::Layer];
+        let alpha = if is_without_alpha(layer, new) { &alpha[..] } else { &[] };
+        found.push(difference.or(alpha, "the alpha of the colours of"));
     }
     for layer in new.layers().iter().filter(|layer| has_values(layer)) {
         let is_old = |name: &str| old.layer(name, layer.domain()).is_some();
@@ -132,6 +136,18 @@ fn differences_of_shape(old: &PolygonMesh, new: &PolygonMesh, format: Format) ->
 fn has_values(layer: &Layer) -> bool {
     let is_value = |entry: &Entry| !matches!(entry, Entry::List(list) if list.is_empty());
     layer_entries(layer).iter().flatten().flatten().any(is_value)
+}
+
+/// Whether a layer of colours lost nothing but how far they are opaque.
+fn is_without_alpha(layer: &Layer, new: &PolygonMesh) -> bool {
+    let opaque = |layer: &Layer| -> Vec<Option<Vec<Entry>>> {
+        let values = layer_entries(layer).into_iter();
+        values.map(|value| value.map(|value| value.into_iter().take(3).collect())).collect()
+    };
+    let colors = new.layer("color", layer.domain()).filter(|colors| colors.width() == 3);
+    layer.name() == "color"
+        && layer.width() == 4
+        && colors.is_some_and(|colors| opaque(colors) == opaque(layer))
 }
 
 /// Whether a layer of several numbers a value became one layer for each of them.
