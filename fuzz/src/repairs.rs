@@ -70,9 +70,11 @@ pub fn passes(data: &[u8]) {
     if let Ok(repaired) = &result {
         assert_well_formed(&repaired.mesh);
         assert_true_record(&mesh, repaired);
-        let again = pipeline.run(&repaired.mesh).expect("what was repaired can be repaired");
-        assert_same_to_see(&again.mesh, &repaired.mesh);
-        assert!(!again.is_changed());
+        if is_final(&plan) {
+            let again = pipeline.run(&repaired.mesh).expect("what was repaired can be repaired");
+            assert_same_to_see(&again.mesh, &repaired.mesh);
+            assert!(!again.is_changed());
+        }
     }
     assert_every_kernel_agrees(&pipeline, &mesh, &result);
     if let Ok(repaired) = pipeline.clone().on_kernel(kernel).run(&mesh) {
@@ -81,6 +83,13 @@ pub fn passes(data: &[u8]) {
     let kinds: BTreeMap<PassKind, &AnyPass> =
         pipeline.passes().iter().map(|pass| (pass.kind(), pass)).collect();
     kinds.values().for_each(|pass| assert_promises(pass, &mesh));
+}
+
+/// Whether a second run of a plan is known to change nothing: its passes come in the usual order, each once, and none of
+/// those that make a mesh manifold is left out. Other plans may subdivide the same faces again in every run.
+fn is_final(plan: &Plan) -> bool {
+    let needed = [PassKind::Weld, PassKind::Clean, PassKind::Orient, PassKind::Split];
+    plan.passes.is_sorted_by(|one, other| one < other) && needed.iter().all(|kind| plan.passes.contains(kind))
 }
 
 /// The bytes as a plan file: an error, or a plan that is written and read as the same plan, and runs.

@@ -54,13 +54,27 @@ impl Matching {
                             matching.pair(one.corner, other.corner);
                         }
                     }
-                    for pair in copies.map_or(Vec::new(), |copies| pairs_by_rank(kernel, copies, uses)) {
-                        matching.pair_if_free(pair);
-                    }
                 }
             }
         }
         matching
+    }
+
+    /// Adds the pairs of [`pairs_by_rank`] at each edge of three sides or more where both are free.
+    ///
+    /// *Cost*: O(Σ d log d) over the degrees d of those edges.
+    pub(crate) fn pair_by_rank<K: Connectivity>(
+        &mut self,
+        kernel: &K,
+        names: &StoredNames<'_>,
+        copies: &Copies,
+    ) {
+        let mut groups = StoredGroups::default();
+        for edge in kernel.edges().filter(|&edge| kernel.edge_degree(edge) > 2) {
+            for pair in pairs_by_rank(kernel, copies, groups.uses_of(kernel, names, edge)) {
+                self.pair_if_free(pair);
+            }
+        }
     }
 
     #[inline]

@@ -130,6 +130,9 @@ impl KernelTask for Task<'_> {
             return Ok(Outcome::unchanged(self.mesh));
         }
         let mut matching = Matching::by_rules(kernel, &stored, copies.as_ref());
+        if let (Some(copies), SplitEdges::Sheets | SplitEdges::PinchOnly) = (&copies, self.options.edges) {
+            matching.pair_by_rank(kernel, &stored, copies);
+        }
         let seam = match self.options.seams {
             Seams::Keep => Vec::new(),
             Seams::Cut => seams::part_seams(kernel, &mut matching),
