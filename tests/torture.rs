@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use meshmend_tests::judge::python;
-use meshmend_tests::program::{BAD_INPUT, binary};
+use meshmend_tests::program::{BAD_INPUT, REFUSED, binary};
 use meshmend_tests::scratch::Scratch;
 use meshmend_tests::shared::shared;
 
@@ -54,7 +54,7 @@ fn run(big: Option<&Path>, options: &[&str]) {
         "--only",
         FILES,
         "--error-status",
-        &BAD_INPUT.to_string(),
+        &format!("{BAD_INPUT},{REFUSED}"),
     ]);
     command.args(options);
     if let Some(big) = big {

@@ -8,6 +8,9 @@ use std::sync::OnceLock;
 /// The exit status for a file that can't be read.
 pub const BAD_INPUT: i32 = 3;
 
+/// The exit status of what a policy refuses, such as a repair that would leave no face.
+pub const REFUSED: i32 = 5;
+
 /// The binary: what `MESHMEND_BIN` names, or a fresh build in the profile of the tests.
 ///
 /// # Panics
