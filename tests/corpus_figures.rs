@@ -365,7 +365,9 @@ fn cutting_at_all_that_is_not_manifold_gives_the_manifests_pieces() {
     let pipeline = Pipeline::new([split.into()]);
     assert_each(&views, |&(entry, view)| {
         let expected = cut_in_manifest(&entry.view(view).unwrap()["cut"]);
-        let found = cut_in_report(&report(&pipeline.run(&mesh_of(entry, view)).unwrap().mesh), &expected);
+        // Without its names, by which faces over the same vertices would be told apart: the manifest knows none.
+        let mesh = mesh_of(entry, view).with_layers(Vec::new()).unwrap();
+        let found = cut_in_report(&report(&pipeline.run(&mesh).unwrap().mesh), &expected);
         (found != expected)
             .then(|| format!("{} {view}: {expected} expected, found {found}", entry.name))
             .into_iter()
