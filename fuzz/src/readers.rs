@@ -3,7 +3,7 @@
 
 use meshmend_core::PolygonMesh;
 use meshmend_io::{
-    Format, Limits, LossKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions, WriteOptions,
+    Format, Limits, LossKind, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions, WriteOptions,
 };
 use meshmend_io::{encode, read_bytes};
 
@@ -29,8 +29,8 @@ pub fn off(data: &[u8]) {
     read_and_write(Format::Off, data);
 }
 
-/// The bytes as a file whose name tells nothing: what the content tells is what is read, and a name that tells a
-/// format is believed.
+/// The bytes as a file whose name tells nothing: what the content tells is what is read. A name that tells a format is
+/// believed, unless the content surely is another one, and then a note says so.
 pub fn sniff(data: &[u8]) {
     let told = Format::from_content(data);
     match read_bytes(data, "mesh", &ReadOptions::default()) {
@@ -45,7 +45,11 @@ pub fn sniff(data: &[u8]) {
     for &format in Format::ALL {
         let name = format!("mesh.{}", format.extensions()[0]);
         match read_bytes(data, &name, &ReadOptions::default()) {
-            Ok(file) => assert_eq!(file.format, format),
+            Ok(file) if file.format == format => {}
+            Ok(file) => {
+                assert_eq!(Some(file.format), told, "{name}");
+                assert!(file.notes.iter().any(|note| note.kind == NoteKind::WrongSuffix), "{name}");
+            }
             Err(error) => assert_located(&error, data),
         }
     }
