@@ -26,6 +26,7 @@
 //! parameterization*, 2004.
 
 mod boundary_placement;
+mod cholesky;
 mod cotangents;
 mod discs;
 mod flat;
