@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use meshmend_core::PolygonMesh;
+use meshmend_core::{Draft, DraftError, PolygonMesh, Provenance, Sources};
 
 use crate::atomic::replace_file;
 use crate::obj::companions;
@@ -31,6 +31,8 @@ pub struct Prepared {
     pub(crate) options: WriteOptions,
     /// What the steps before writing lost.
     pub(crate) losses: Vec<Loss>,
+    /// Where its elements were as given, where vertices are written more than once or faces are cut.
+    pub(crate) record: Option<Provenance>,
 }
 
 impl Prepared {
@@ -44,7 +46,7 @@ impl Prepared {
     pub fn new(mesh: &PolygonMesh, options: &WriteOptions) -> Result<Self, WriteErrorKind> {
         let (format, encoding) = options.resolved()?;
         let (mesh, options) = (mesh.clone(), options.clone());
-        let mut prepared = Prepared { mesh, format, encoding, options, losses: Vec::new() };
+        let mut prepared = Prepared { mesh, format, encoding, options, losses: Vec::new(), record: None };
         (format.driver().prepare)(&mut prepared)?;
         Ok(prepared)
     }
@@ -62,6 +64,27 @@ impl Prepared {
     /// The mesh as it will be written: where the format made it necessary, not the one that was given.
     pub fn mesh(&self) -> &PolygonMesh {
         &self.mesh
+    }
+
+    /// The mesh that was given with the vertices and faces that it will be read with, and where those were; nothing if
+    /// they are written as they are. Its layers are as they were given.
+    ///
+    /// # Errors
+    /// When it is not the mesh that was made ready.
+    ///
+    /// *Cost*: linear in the mesh and its layers.
+    pub fn as_written(&self, given: &PolygonMesh) -> Result<Option<(PolygonMesh, Provenance)>, DraftError> {
+        let Some(record) = &self.record else { return Ok(None) };
+        if !self.format.holds_polygons() {
+            return Ok(Some((self.mesh.clone(), record.clone())));
+        }
+        let counts = given.counts();
+        let (faces, corners) = (Sources::same(counts.faces), Sources::same(counts.corners));
+        let draft = Draft {
+            vertex_sources: record.vertices.clone(),
+            ..Draft::of_faces(given, self.mesh.faces().clone(), faces, corners)
+        };
+        given.rebuild(draft).map(Some)
     }
 
     /// What the file won't carry.

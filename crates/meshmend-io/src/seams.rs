@@ -26,6 +26,13 @@ impl Prepared {
         if self.options.seams == Seams::Fail && parts.vertices > 0 {
             return Err(WriteErrorKind::Seams { vertices: parts.vertices as u64 });
         }
+        if parts.vertices > 0 {
+            let whole = match self.record.take() {
+                Some(before) => before.then(&record, self.mesh.faces(), mesh.faces()),
+                None => record,
+            };
+            self.record = Some(whole);
+        }
         self.mesh = mesh;
         self.losses.extend(parts.loss());
         Ok(())

@@ -51,7 +51,7 @@ pub use mended::Mended;
 pub use meshmend_geometry::rounding::Rounding;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};
 pub use pass::{Context, History, Outcome, Pass, PassError};
-pub use pipeline::{FaceStorage, PassRecord, Pipeline, RemovedFace, Repaired};
+pub use pipeline::{FaceStorage, PassRecord, Pipeline, RemovedFace, Repaired, Writing};
 pub use plan::{Plan, PlanError};
 pub use recompute::Recompute;
 pub use registry::{AnyPass, PassKind};

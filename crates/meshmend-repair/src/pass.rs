@@ -10,7 +10,7 @@ use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;
 use thiserror::Error;
 
-use crate::{Clearance, Emptied, Mended, SeamFigures, TellingLayers};
+use crate::{Clearance, Emptied, FaceStorage, Mended, SeamFigures, TellingLayers};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
 pub trait Pass {
@@ -139,6 +139,8 @@ pub struct Context<'a> {
     pub clearance: Clearance,
     /// Which attribute layers tell a face from another one over the same vertices.
     pub telling: TellingLayers<'a>,
+    /// How the result will be stored, if not by the vertices that faces share.
+    pub storage: Option<&'a FaceStorage>,
 }
 
 impl Context<'_> {

@@ -2,6 +2,7 @@
 
 mod rounds;
 mod run;
+mod storage;
 
 use std::sync::atomic::AtomicBool;
 
@@ -10,8 +11,8 @@ use meshmend_geometry::rounding::{Rounding, in_single_precision};
 use meshmend_kernels::KernelKind;
 use meshmend_topology::{TopologyReport, Witness};
 
-pub use self::rounds::FaceStorage;
 use self::run::Run;
+pub use self::storage::{FaceStorage, Writing};
 use crate::figures::Figures;
 use crate::{
     AnyPass, Clearance, Compact, Context, Distance, Emptied, Emptying, Examined, Mended, NonOrientable,
@@ -108,15 +109,6 @@ impl Repaired {
     pub fn is_changed(&self) -> bool {
         self.rounding.is_some() || self.passes.iter().any(|pass| pass.is_changed)
     }
-
-    /// Takes note of what a writer makes of the result, where that stores vertices otherwise than the result does. If it
-    /// is what was read, nothing was changed.
-    pub fn note_written(&mut self, stored: &PolygonMesh, written: &PolygonMesh) {
-        if self.is_changed() && FaceStorage::Indexed.are_alike(stored, written) {
-            run::forget_changes(&mut self.passes);
-            self.stitched += written.counts().vertices.saturating_sub(self.mesh.counts().vertices);
-        }
-    }
 }
 
 impl Pipeline {
@@ -149,7 +141,7 @@ impl Pipeline {
             kernel: KernelKind::default(),
             takes_figures: false,
             precision: Precision::Double,
-            faces: FaceStorage::Indexed,
+            faces: FaceStorage::default(),
             emptying: Emptying::default(),
             held_layers: None,
         }
@@ -266,7 +258,7 @@ impl Pipeline {
         if has_faces {
             self.check_promises(&run)?;
         }
-        let repaired = run.finish(self.faces);
+        let repaired = run.finish(&self.faces)?;
         if has_faces && repaired.mesh.counts().faces == 0 && self.emptying == Emptying::Refuse {
             return Err(Emptied::by(&self.passes, &stored, &repaired).into());
         }
@@ -290,7 +282,9 @@ impl Pipeline {
             let report = run.known.as_ref();
             let clearance = self.clearance(run.tolerance);
             let history = Some(&run.history);
-            let context = Context { kernel: self.kernel, history, cancel, report, clearance, telling };
+            let storage = Some(&self.faces);
+            let context =
+                Context { kernel: self.kernel, history, cancel, report, clearance, telling, storage };
             context.check_cancelled()?;
             let outcome = if has_faces || pass.kind() == PassKind::Recompute {
                 pass.as_pass().apply(&run.mesh, &context)?

@@ -155,12 +155,11 @@ impl KernelTask for Task<'_> {
         let figures = seams::seam_figures(kernel, self.mesh, &matching, &names, &seam);
         let inserted = match self.options.edges {
             SplitEdges::PinchOnly => Inserted { vertices: Vec::new(), sides: Vec::new(), edges: Vec::new() },
-            _ => subdivide::subdivide(kernel, self.mesh, &matching, &names, self.context.clearance),
+            _ => subdivide::subdivide(kernel, self.mesh, &matching, &names, self.context)?,
         };
         let mut seam: Vec<Defect> = seams::seam_edges(kernel, &seam).collect();
-        seam.extend(
-            parted.iter().map(|&edge| Defect::InconsistentEdge { edge, ends: kernel.edge_ends(edge) }),
-        );
+        let came_apart = parted.iter().filter(|&&edge| self.comes_apart(kernel, &names, edge));
+        seam.extend(came_apart.map(|&edge| Defect::InconsistentEdge { edge, ends: kernel.edge_ends(edge) }));
         drop(matching);
         let outcome = self.outcome(kernel, &parts, names, inserted, seam)?;
         Ok(Outcome { seam: figures, ..outcome })
@@ -203,6 +202,16 @@ impl Task<'_> {
             return None;
         }
         Copies::find(kernel, self.mesh, self.context)
+    }
+
+    /// Whether an edge of two sides is two edges afterwards: `pinch-only` does not subdivide what would coincide.
+    fn comes_apart<K: Connectivity>(&self, kernel: &K, names: &NewVertices, edge: EdgeId) -> bool {
+        let ends = kernel.edge_corners(edge).map(|corner| {
+            let (from, to) = (names.of_corner[corner], names.of_corner[kernel.next_corner(corner)]);
+            (from.min(to), from.max(to))
+        });
+        let ends: Vec<_> = ends.collect();
+        self.options.edges != SplitEdges::PinchOnly || ends.windows(2).any(|two| two[0] != two[1])
     }
 
     /// Whether nothing is to be split in a mesh whose vertices are regular, as far as can be seen without a matching.

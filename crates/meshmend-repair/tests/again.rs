@@ -176,7 +176,7 @@ fn what_is_stitched_and_comes_apart_again_is_no_change() {
         positions: two.faces.iter().flatten().map(|&v| two.positions[v as usize]).collect(),
         faces: (0..8).map(|f| vec![3 * f, 3 * f + 1, 3 * f + 2]).collect(),
     };
-    let stl = Pipeline::default().storing(FaceStorage::Apart).run(&apart.mesh()).unwrap();
+    let stl = Pipeline::default().storing(FaceStorage::apart()).run(&apart.mesh()).unwrap();
     assert_eq!((stl.is_changed(), stl.stitched, stl.mesh.counts().vertices), (false, 17, 8));
     assert!(Pipeline::default().run(&apart.mesh()).unwrap().is_changed());
 }
@@ -202,16 +202,16 @@ fn rounds_have_an_end_whatever_is_left_out() {
         positions: names.iter().flatten().map(|&v| points[v].map(|x| x + 1e6)).collect(),
         faces: (0..11).map(|f| vec![3 * f, 3 * f + 1, 3 * f + 2]).collect(),
     };
-    let repair = |(edges, distance, storage): (SplitEdges, Distance, FaceStorage)| {
+    let repair = |(edges, distance, storage): (SplitEdges, Distance, &FaceStorage)| {
         let mut plan = Plan::default().without(PassKind::Clean);
         (plan.split.edges, plan.weld.distance) = (edges, distance);
         plan.triangulate.faces = TriangulateFaces::All;
-        let repaired = plan.pipeline().storing(storage).run(&apart.mesh()).unwrap();
+        let repaired = plan.pipeline().storing(storage.clone()).run(&apart.mesh()).unwrap();
         assert!(repaired.mesh.counts().corners < 1000, "{edges:?} {distance:?} {storage:?}");
     };
     for edges in [SplitEdges::Sheets, SplitEdges::Cut, SplitEdges::PinchOnly] {
         for distance in [Distance::Exact, Distance::Absolute(1.0), Distance::Relative(0.25)] {
-            for storage in [FaceStorage::Indexed, FaceStorage::Apart] {
+            for storage in &[FaceStorage::default(), FaceStorage::apart()] {
                 repair((edges, distance, storage));
             }
         }

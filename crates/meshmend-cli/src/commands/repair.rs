@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshmend::io::{Prepared, held_layers, replace_file, rounding_losses};
-use meshmend::repair::{FaceStorage, Precision};
+use meshmend::repair::{FaceStorage, Precision, Writing};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
     CheckOptions, CheckReport, Encoding, Examined, Format, KernelKind, PassKind, Pipeline, Plan, PolygonMesh,
@@ -82,23 +82,16 @@ impl Target<'_> {
         Ok(Prepared::new(mesh, &self.options).map_err(failed)?)
     }
 
-    /// Tells a repair how its result will be written, where a format may store vertices more than once for their
-    /// attributes.
-    fn tell(&self, stored: &PolygonMesh, repaired: &mut Repaired) {
-        if !repaired.is_changed() || repaired.mesh.layers().is_empty() {
-            return;
-        }
-        if let Ok(prepared) = Prepared::new(&repaired.mesh, &self.options) {
-            repaired.note_written(stored, prepared.mesh());
-        }
-    }
-}
-
-/// How a format stores faces.
-fn storage(format: Option<Format>) -> FaceStorage {
-    match format {
-        Some(format) if !format.holds_polygons() => FaceStorage::Apart,
-        _ => FaceStorage::Indexed,
+    /// How the file stores faces. What can't be made ready is told when it is to be written.
+    fn storage(&self) -> FaceStorage {
+        let holds_polygons = self.options.format.is_none_or(Format::holds_polygons);
+        let storage = if holds_polygons { FaceStorage::default() } else { FaceStorage::apart() };
+        let options = self.options.clone();
+        storage.written_by(Writing::by(move |mesh| {
+            let is_made_ready = !holds_polygons || !mesh.layers().is_empty();
+            let prepared = is_made_ready.then(|| Prepared::new(mesh, &options).ok()).flatten();
+            prepared.map_or(Ok(None), |prepared| prepared.as_written(mesh))
+        }))
     }
 }
 
@@ -125,9 +118,6 @@ impl Repair {
         };
         let mut repaired = run.map_err(failed)?;
         progress.step("report");
-        if let Some(target) = &target {
-            target.tell(&file.mesh, &mut repaired);
-        }
         let mut document = RepairDocument::new(&file.mesh, &repaired, self.limit);
         document.file = Some(name(&self.input));
         document.before = before;
@@ -170,10 +160,13 @@ impl Repair {
             Some(format) if !format.holds_polygons() => self.policies.for_triangles(plan),
             _ => plan,
         };
-        let pipeline = plan.pipeline().on_kernel(self.kernel).storing(storage(format));
+        let pipeline = plan.pipeline().on_kernel(self.kernel);
         let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
         let Some(target) = target else { return pipeline.in_precision(Precision::Double) };
-        pipeline.for_layers(held_layers(&file.mesh, &target.options)).in_precision(target.precision())
+        pipeline
+            .for_layers(held_layers(&file.mesh, &target.options))
+            .in_precision(target.precision())
+            .storing(target.storage())
     }
 
     fn makes_json(&self) -> bool {

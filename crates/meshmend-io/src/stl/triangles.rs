@@ -37,7 +37,8 @@ pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind
         }
     }
     let (found, created) = (simplifier.found, room.created);
-    prepared.mesh = mesh.rebuild(cutter.into_draft().map_err(io::Error::other)?)?.0;
+    let (mesh, record) = mesh.rebuild(cutter.into_draft().map_err(io::Error::other)?)?;
+    (prepared.mesh, prepared.record) = (mesh, Some(record));
     prepared.losses.extend(found.losses(created));
     Ok(())
 }

@@ -11,7 +11,8 @@ use super::uses::Pair;
 use crate::StoredNames;
 use crate::matching::run_the_same_way;
 
-/// The pairs in their order, but for those of short seams, which come last.
+/// The pairs in their order, but for those of short seams, which come last. Where the sides clash already along a seam that
+/// is no longer, it stays there: so a seam that is stitched when the mesh is read again is found at the same place.
 ///
 /// *Cost*: near-linear where nothing contradicts; else that of [`short_seam`] on the classes in which something does.
 pub(super) fn seams_last<K: Connectivity>(
@@ -19,33 +20,55 @@ pub(super) fn seams_last<K: Connectivity>(
     names: &StoredNames<'_>,
     pairs: Vec<Pair>,
 ) -> Vec<Pair> {
-    let is_twisted = twisted_faces(kernel, &pairs);
-    let is_of_twisted = |pair: &Pair| is_twisted[kernel.corner_face(pair.0)];
-    let dual_edges: Vec<DualEdge> =
-        pairs.iter().filter(|pair| is_of_twisted(pair)).map(|&pair| dual_edge(kernel, names, pair)).collect();
+    let twisted = Twisted::of(kernel, &pairs);
+    let class_of = |pair: &Pair| twisted.class(kernel.corner_face(pair.0));
+    let (classes, dual_edges): (Vec<FaceId>, Vec<DualEdge>) =
+        pairs.iter().filter_map(|pair| Some((class_of(pair)?, dual_edge(kernel, names, *pair)))).unzip();
     if dual_edges.is_empty() {
         return pairs;
     }
-    let mut is_cut = short_seam(&dual_edges).into_iter();
+    let mut is_cut = short_seam(&dual_edges);
+    let mut longer = Column::filled(0_i64, kernel.face_count());
+    for ((&class, dual), &is_cut) in classes.iter().zip(&dual_edges).zip(&is_cut) {
+        longer[class] += i64::from(dual.weight) * (i64::from(is_cut) - i64::from(dual.is_mirrored));
+    }
+    for ((&class, dual), is_cut) in classes.iter().zip(&dual_edges).zip(&mut is_cut) {
+        if longer[class] >= 0 {
+            *is_cut = dual.is_mirrored;
+        }
+    }
+    let mut is_cut = is_cut.into_iter();
     let (last, mut first): (Vec<Pair>, Vec<Pair>) =
-        pairs.into_iter().partition(|pair| is_of_twisted(pair) && is_cut.next() == Some(true));
+        pairs.into_iter().partition(|pair| class_of(pair).is_some() && is_cut.next() == Some(true));
     first.extend(last);
     first
 }
 
-/// Whether a face is in a class in which pairs contradict.
-fn twisted_faces<K: Connectivity>(kernel: &K, pairs: &[Pair]) -> Column<FaceId, bool> {
-    let mut sets = SidedClasses::new(kernel.face_count());
-    let mut contradicted = Vec::new();
-    for &(one, other) in pairs {
-        let (f, g) = (kernel.corner_face(one), kernel.corner_face(other));
-        if let Joined::Contradicts { root } = sets.join(f, g, run_the_same_way(kernel, one, other)) {
-            contradicted.push(root);
+/// The classes of faces in which pairs contradict.
+struct Twisted {
+    /// The class of each face in such a one.
+    class: Column<FaceId, Option<FaceId>>,
+}
+
+impl Twisted {
+    fn of<K: Connectivity>(kernel: &K, pairs: &[Pair]) -> Self {
+        let mut sets = SidedClasses::new(kernel.face_count());
+        let mut contradicted = Vec::new();
+        for &(one, other) in pairs {
+            let (f, g) = (kernel.corner_face(one), kernel.corner_face(other));
+            if let Joined::Contradicts { root } = sets.join(f, g, run_the_same_way(kernel, one, other)) {
+                contradicted.push(root);
+            }
         }
+        let mut is_twisted = Column::filled(false, kernel.face_count());
+        contradicted.into_iter().for_each(|face| is_twisted[sets.find(face).0] = true);
+        let class = kernel.faces().map(|face| Some(sets.find(face).0).filter(|&root| is_twisted[root]));
+        Twisted { class: class.collect() }
     }
-    let mut is_twisted = Column::filled(false, kernel.face_count());
-    contradicted.into_iter().for_each(|face| is_twisted[sets.find(face).0] = true);
-    kernel.faces().map(|face| is_twisted[sets.find(face).0]).collect()
+
+    fn class(&self, face: FaceId) -> Option<FaceId> {
+        self.class[face]
+    }
 }
 
 fn dual_edge<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, (one, other): Pair) -> DualEdge {

@@ -8,7 +8,7 @@ use meshmend_topology::TopologyReport;
 
 use super::{FaceStorage, PassRecord, RemovedFace, Repaired};
 use crate::figures::Figures;
-use crate::{History, Mended, Outcome, PassKind};
+use crate::{History, Mended, Outcome, PassError, PassKind};
 
 /// A pipeline under way.
 pub(super) struct Run {
@@ -134,10 +134,13 @@ impl Run {
     }
 
     /// All that was done.
-    pub(super) fn finish(mut self, storage: FaceStorage) -> Repaired {
+    ///
+    /// # Errors
+    /// When the storage can't make what it stores.
+    pub(super) fn finish(mut self, storage: &FaceStorage) -> Result<Repaired, PassError> {
         let has_changed = self.passes.iter().any(|record| record.is_changed);
-        let is_same = has_changed && storage.are_alike(self.stored(), &self.mesh);
-        let stitched = if has_changed { self.stitched(storage) } else { 0 };
+        let is_same = has_changed && storage.are_alike(self.stored(), &self.mesh)?;
+        let stitched = if has_changed { self.stitched(storage, is_same) } else { 0 };
         self.figures.extend(self.figures());
         if self.takes_figures {
             let mut changes = 0;
@@ -160,38 +163,40 @@ impl Run {
         let mut provenance = provenance;
         if is_same {
             forget_changes(&mut passes);
-            if storage == FaceStorage::Indexed {
+            if !storage.takes_apart(&mesh)? {
                 mesh = self.history.stored().clone();
                 provenance = Provenance::same(mesh.counts());
             }
         }
-        Repaired { mesh, provenance, passes, removed_faces, turned_normals, rounding, report, stitched }
+        Ok(Repaired { mesh, provenance, passes, removed_faces, turned_normals, rounding, report, stitched })
     }
 
     /// How many vertices the first pass joined to others that are apart from them in the result.
-    fn stitched(&self, storage: FaceStorage) -> usize {
+    fn stitched(&self, storage: &FaceStorage, is_same: bool) -> usize {
         let Some(weld) = self.passes.first() else { return 0 };
+        if is_same {
+            return weld.mended.joined_to().iter().enumerate().filter(|(v, low)| low.index() != *v).count();
+        }
         let joined_to = weld.mended.joined_to();
         let is_split = self.passes.iter().any(|record| record.pass == PassKind::Split && record.is_changed);
-        if joined_to.is_empty() || (storage == FaceStorage::Indexed && !is_split) {
+        if joined_to.is_empty() || (!storage.is_apart() && !is_split) {
             return 0;
         }
         let provenance = self.history.provenance();
-        if storage == FaceStorage::Apart
+        if storage.is_apart()
             && provenance.corners.is_all_of(provenance.before.corners)
             && provenance.before.vertices == provenance.before.corners
         {
             // Every vertex as stored has a corner of its own, and all are there.
             return weld.mended.len();
         }
-        let stays: Vec<bool> = match storage {
-            FaceStorage::Indexed => provenance.vertices.survivors(joined_to.len()),
-            FaceStorage::Apart => {
-                let mut stays = vec![false; joined_to.len()];
-                let corners = provenance.corners.iter().filter_map(|(_, stored)| stored);
-                corners.for_each(|c| stays[self.stored().faces().corner_vertex(c).index()] = true);
-                stays
-            }
+        let stays: Vec<bool> = if storage.is_apart() {
+            let mut stays = vec![false; joined_to.len()];
+            let corners = provenance.corners.iter().filter_map(|(_, stored)| stored);
+            corners.for_each(|c| stays[self.stored().faces().corner_vertex(c).index()] = true);
+            stays
+        } else {
+            provenance.vertices.survivors(joined_to.len())
         };
         let is_joined = |(v, low): (usize, &VertexId)| low.index() != v && stays[v];
         joined_to.iter().enumerate().filter(|&at| is_joined(at)).count()
@@ -199,7 +204,7 @@ impl Run {
 }
 
 /// The records of passes that together changed nothing.
-pub(super) fn forget_changes(passes: &mut [PassRecord]) {
+fn forget_changes(passes: &mut [PassRecord]) {
     let last = passes.last().and_then(|record| record.figures);
     for record in passes {
         (record.is_changed, record.mended, record.seam) = (false, Mended::default(), None);

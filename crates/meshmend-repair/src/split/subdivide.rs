@@ -2,7 +2,9 @@
 //!
 //! Two different matched edges, or free uses, may come to join the same two new vertices, their umbrellas being
 //! connected elsewhere. By index they would be one edge again. Then every edge at that place is subdivided, each by a
-//! vertex of its own, all of them at the first free point between the lower and the higher vertex.
+//! vertex of its own, all of them at the first free point between the lower and the higher vertex. Where only places will
+//! tell vertices apart, as in STL, each of them is at a free point of its own: else the edges would be one again when
+//! they are read, and be subdivided again.
 
 use meshmend_core::{Blend, Complex, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
 use smallvec::SmallVec;
@@ -10,7 +12,7 @@ use smallvec::SmallVec;
 use super::names::NewVertices;
 use crate::free_points::FreePoints;
 use crate::matching::Matching;
-use crate::{Clearance, Unused};
+use crate::{Context, PassError, Unused};
 
 /// What is inserted into the sides of an edge.
 pub(super) struct Inserted {
@@ -31,13 +33,15 @@ pub(super) fn subdivide<K: Connectivity>(
     mesh: &PolygonMesh,
     matching: &Matching,
     names: &NewVertices,
-    clearance: Clearance,
-) -> Inserted {
+    context: &Context<'_>,
+) -> Result<Inserted, PassError> {
     let edges: Vec<EdgeId> = kernel.edges().filter(|&edge| coincide(kernel, matching, names, edge)).collect();
     let mut inserted = Inserted { vertices: Vec::new(), sides: Vec::new(), edges };
     if inserted.edges.is_empty() {
-        return inserted;
+        return Ok(inserted);
     }
+    let clearance = context.clearance;
+    let has_own_points = context.storage.map_or(Ok(false), |storage| storage.takes_apart(mesh))?;
     let complex = mesh.complex();
     // A vertex in no face that compact removes must not decide where others go.
     let is_in_result = |v| clearance.unused == Unused::Kept || kernel.is_referenced(v);
@@ -45,12 +49,16 @@ pub(super) fn subdivide<K: Connectivity>(
     let mut free = FreePoints::beside(clearance, parts.map(|(_, &position)| position));
     for edge in inserted.edges.clone() {
         let ends = kernel.edge_ends(edge).map(|v| mesh.position(v));
-        let (position, ratio) = free.on_edge(ends);
+        let mut shared = None;
         for corner in kernel.edge_corners(edge) {
             let mate = matching.mate(corner);
             if mate.is_some_and(|mate| mate < corner) {
                 continue;
             }
+            let (position, ratio) = match shared {
+                Some(point) if !has_own_points => point,
+                _ => *shared.insert(free.on_edge(ends)),
+            };
             let place = inserted.vertices.len() as u32;
             inserted.vertices.push(VertexDraft { position, place: blend(kernel, complex, corner, ratio) });
             for side in [Some(corner), mate].into_iter().flatten() {
@@ -59,7 +67,7 @@ pub(super) fn subdivide<K: Connectivity>(
         }
     }
     inserted.sides.sort_unstable_by_key(|(corner, _, _)| *corner);
-    inserted
+    Ok(inserted)
 }
 
 /// Whether two different edges of the result along one edge of the mesh join the same two vertices.
