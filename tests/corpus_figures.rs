@@ -101,9 +101,7 @@ fn edge_incidence(report: &TopologyReport) -> Value {
         }
     }
     for defect in report.defects.of_kind(DefectKind::NonManifoldEdge) {
-        if let Defect::NonManifoldEdge { degree, .. } = defect {
-            *counts.entry(degree.to_string()).or_default() += 1;
-        }
+        *counts.entry(defect.count.to_string()).or_default() += 1;
     }
     json!(counts)
 }
@@ -111,13 +109,8 @@ fn edge_incidence(report: &TopologyReport) -> Value {
 /// The groups of faces that are alike either way: each has one first face that repeats no other.
 fn duplicate_groups(report: &TopologyReport) -> Value {
     let kinds = [DefectKind::DuplicateFace, DefectKind::OppositeFace];
-    let pairs =
-        kinds.iter().flat_map(|&kind| report.defects.of_kind(kind)).filter_map(|defect| match defect {
-            Defect::DuplicateFace { face, original } | Defect::OppositeFace { face, original } => {
-                Some((face, original))
-            }
-            _ => None,
-        });
+    let repeats = kinds.iter().flat_map(|&kind| report.defects.of_kind(kind));
+    let pairs = repeats.filter_map(|defect| Some((defect.at.face()?, defect.beside?.face()?)));
     let pairs: Vec<(FaceId, FaceId)> = pairs.collect();
     let repeating: BTreeSet<FaceId> = pairs.iter().map(|pair| pair.0).collect();
     let firsts: BTreeSet<FaceId> =

@@ -1,7 +1,7 @@
 //! Kernels and analyses: every kernel keeps the laws, and gives the report that the naive oracle gives.
 
 use arbitrary::{Arbitrary, Unstructured};
-use meshmend_core::{Connectivity, Defect, DefectKind, PolygonMesh};
+use meshmend_core::{Connectivity, DefectKind, Element, PolygonMesh};
 use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_testkit::{Soup, laws, oracle};
 use meshmend_topology::{TopologyReport, topology};
@@ -74,11 +74,9 @@ fn assert_agrees(report: &TopologyReport, wanted: &Value, kind: KernelKind) {
 /// Every patch without a consistent side has a strip that shows it.
 fn assert_witnessed(soup: &Soup, report: &TopologyReport) {
     for defect in report.defects.of_kind(DefectKind::NonOrientablePatch) {
-        let Defect::NonOrientablePatch { faces, edges } = defect else {
-            panic!("{defect} is of another kind")
-        };
-        let faces: Vec<u32> = faces.iter().map(|face| face.0).collect();
-        let edges: Vec<u32> = edges.iter().map(|edge| edge.0).collect();
+        let Element::Strip(strip) = defect.at else { panic!("{defect} is at another element") };
+        let faces: Vec<u32> = strip.faces.iter().map(|face| face.0).collect();
+        let edges: Vec<u32> = strip.edges.iter().map(|edge| edge.0).collect();
         assert_eq!(oracle::check_witness(soup, &faces, &edges), Ok(()), "{faces:?} {edges:?}");
     }
 }

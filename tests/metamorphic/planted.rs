@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use meshmend_core::{Defect, DefectKind, FaceId};
+use meshmend_core::{Defect, DefectKind, Element, FaceId};
 use meshmend_repair::Pipeline;
 use meshmend_testkit::damage::{Damage, Unreal, Way};
 use meshmend_testkit::shapes::{self, Tiles};
@@ -169,20 +169,13 @@ fn welded_apart(soup: Soup) -> Part {
 
 /// What a defect names, for the kinds that are planted.
 fn place(defect: &Defect) -> Place {
-    let ids = match *defect {
-        Defect::DuplicateFace { face, original } | Defect::OppositeFace { face, original } => {
-            vec![face.0, original.0]
-        }
-        Defect::BoundaryEdge { ends, .. }
-        | Defect::NonManifoldEdge { ends, .. }
-        | Defect::InconsistentEdge { ends, .. } => ends.map(|v| v.0).to_vec(),
-        Defect::PinchedVertex { vertex, .. }
-        | Defect::SingularVertex { vertex }
-        | Defect::NonFiniteVertex { vertex }
-        | Defect::UnreferencedVertex { vertex } => vec![vertex.0],
+    let ids = match (&defect.at, &defect.beside) {
+        (Element::Face(face), Some(Element::Face(original))) => vec![face.0, original.0],
+        (Element::Edge { ends, .. }, None) => ends.map(|v| v.0).to_vec(),
+        (Element::Vertex(vertex), None) => vec![vertex.0],
         _ => Vec::new(),
     };
-    (defect.kind(), ids)
+    (defect.kind, ids)
 }
 
 /// The parts beside one another: each one's vertices and faces after those of the ones before.

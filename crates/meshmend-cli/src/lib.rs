@@ -19,6 +19,7 @@ mod words;
 use std::ffi::OsString;
 
 use clap::Parser;
+use meshmend::Rules;
 
 pub use crate::console::Console;
 pub use crate::failure::Status;
@@ -48,8 +49,7 @@ struct CommandLine {
     command: Command,
 }
 
-/// Does what a command line says; the first argument is the name of the program. What went wrong is told on the
-/// console's stream for errors.
+/// Does what a command line says, as [`Program::run`] does with what meshmend has of itself.
 ///
 /// ```
 /// let (mut out, mut errors) = (Vec::new(), Vec::new());
@@ -63,15 +63,39 @@ pub fn run(
     arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
     console: &mut Console<'_>,
 ) -> Status {
-    let outcome = match CommandLine::try_parse_from(arguments) {
-        Ok(line) => Pool::start(line.threads, line.command.inputs())
-            .and_then(|pool| pool.install(|| line.command.run(console))),
-        Err(answer) => told(&answer, console),
-    };
-    outcome.unwrap_or_else(|failure| {
-        console.complain(&failure);
-        failure.status
-    })
+    Program::default().run(arguments, console)
+}
+
+/// The program, with what it knows beside what meshmend has of itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Program {
+    rules: Rules,
+}
+
+impl Program {
+    /// The program with these kinds of defect: checks look for them, `--fail-on` takes and `explain` explains them.
+    #[must_use]
+    pub fn with_rules(self, rules: Rules) -> Self {
+        Program { rules }
+    }
+
+    /// Does what a command line says; the first argument is the name of the program. What went wrong is told on the
+    /// console's stream for errors.
+    pub fn run(
+        &self,
+        arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+        console: &mut Console<'_>,
+    ) -> Status {
+        let outcome = match CommandLine::try_parse_from(arguments) {
+            Ok(line) => Pool::start(line.threads, line.command.inputs())
+                .and_then(|pool| pool.install(|| line.command.run(self.rules, console))),
+            Err(answer) => told(&answer, console),
+        };
+        outcome.unwrap_or_else(|failure| {
+            console.complain(&failure);
+            failure.status
+        })
+    }
 }
 
 /// What [`run`] takes, for those who want to go through it.

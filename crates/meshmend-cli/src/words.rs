@@ -5,7 +5,9 @@ use std::path::Path;
 use clap::ValueEnum;
 use meshmend::io::AttributePrecision;
 use meshmend::shapes::{GENERATORS, Generator};
-use meshmend::{DefectKind, Distance, Encoding, Format, KernelKind, ReadFile, Seams, View, WriteOptions};
+use meshmend::{
+    DefectKind, Distance, Encoding, Format, KernelKind, ReadFile, Rules, Seams, View, WriteOptions,
+};
 
 use crate::failure::Failure;
 use crate::streams::{format_is_not_told, is_stream, output_name};
@@ -61,10 +63,10 @@ pub(crate) fn kernel(word: &str) -> Result<KernelKind, String> {
 }
 
 /// Reads the code of a kind of defect.
-pub(crate) fn defect_kind(word: &str) -> Result<DefectKind, String> {
-    DefectKind::from_code(word).ok_or_else(|| {
-        let codes: Vec<&str> = DefectKind::ALL.iter().map(|kind| kind.code()).collect();
-        format!("the kinds are {}", codes.join(", "))
+pub(crate) fn defect_kind(rules: Rules, word: &str) -> Result<DefectKind, Failure> {
+    rules.kind(word).ok_or_else(|| {
+        let codes: Vec<&str> = rules.kinds().map(DefectKind::code).collect();
+        Failure::usage(format!("`{word}` is no kind of defect; the kinds are {}", codes.join(", ")))
     })
 }
 
@@ -228,7 +230,8 @@ mod tests {
     #[test]
     fn an_unknown_word_is_answered_with_the_known_ones() {
         assert!(kernel("edge").unwrap_err().starts_with("the kernels are "));
-        assert!(defect_kind("hole").unwrap_err().starts_with("the kinds are degenerate-face, "));
+        let unknown = defect_kind(Rules::builtin(), "hole").unwrap_err();
+        assert!(unknown.message.contains("the kinds are degenerate-face, "));
         assert!(format("glb").unwrap_err().starts_with("the formats are obj, ply"));
         assert_eq!((kernel("edge-use"), format("PLY")), (Ok(KernelKind::EdgeUse), Ok(Format::Ply)));
     }

@@ -26,6 +26,59 @@ fn defects_are_listed_with_ids_and_coordinates() {
 }
 
 #[test]
+fn the_faces_along_an_edge_and_round_a_vertex_are_named() {
+    let folder = Folder::new();
+    // Five pages on one edge, one of them the other way round; a degenerate face and a vertex in no face; two faces that
+    // meet in a vertex.
+    let book = "f 2 1 3\nf 1 2 4\nf 1 2 5\nf 1 2 6\nf 2 1 7\nf 1 2 1\nf 8 9 10\nf 8 11 12\n";
+    let vertices: String = (0..13).map(|i| format!("v {i} {} 0\n", i * i)).collect();
+    let file = folder.with("book.obj", &(vertices + book));
+    let text = meshmend(&["check", &file]).stdout;
+    for line in [
+        "e0 v0-v1 has 5 sides, at (0, 0, 0) (1, 1, 0); faces f0 f1 f2 f3 f4\n",
+        "v0 is on a non-manifold edge, at (0, 0, 0); faces f0 f1 f2 f3 f4\n",
+        "v7 joins 2 umbrellas, all open, at (7, 49, 0); faces f6 f7\n",
+        "e1 v0-v2 has one side, at (0, 0, 0) (2, 4, 0); face f0\n",
+        "v12 is in no face, at (12, 144, 0)\n",
+        "f5 has fewer than three different vertices, at (0, 0, 0) (1, 1, 0) (0, 0, 0)\n",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    let text = meshmend(&["check", &file, "--limit", "2"]).stdout;
+    assert!(text.contains("; faces f0 f1 … and 3 more\n"), "{text}");
+    assert!(!meshmend(&["check", &file, "--limit", "0"]).stdout.contains("faces f"));
+    let json = meshmend(&["check", &file, "--limit", "2", "--json"]).json();
+    let edge = &group(&json, "non-manifold-edge")["items"][0];
+    assert_eq!(
+        (&edge["degree"], &edge["face_count"], &edge["faces"]),
+        (&json!(5), &json!(5), &json!([0, 1]))
+    );
+    assert_eq!(edge["message"], "e0 v0-v1 has 5 sides");
+    let unused = &group(&json, "unreferenced-vertex")["items"][0];
+    assert_eq!((&unused["face_count"], &unused["faces"]), (&json!(0), &json!([])));
+    assert_eq!(group(&json, "degenerate-face")["items"][0].get("faces"), None);
+}
+
+#[test]
+fn the_faces_are_those_of_the_view_and_the_same_on_every_kernel() {
+    let folder = Folder::new();
+    // A square in two triangles that share no vertex, the second one with a corner twice.
+    let square = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 5 4 6 6\n";
+    let file = folder.with("square.obj", square);
+    let faces = |options: &[&str]| {
+        let json = meshmend(&[&["check", "--json", &file], options].concat()).json();
+        let items = group(&json, "boundary-edge")["items"].as_array().unwrap().clone();
+        items.iter().map(|item| item["faces"].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(faces(&[]), [0, 0, 0, 1, 1, 1].map(|face| json!([face])));
+    assert_eq!(faces(&["--weld", "exact"]), [0, 0, 1, 1].map(|face| json!([face])));
+    for kernel in ["half-edge", "face-vertex", "adjacency-lists", "quad-edge"] {
+        let run = meshmend(&["check", "--json", &file, "--kernel", kernel]);
+        assert_eq!(run.stdout, meshmend(&["check", "--json", &file]).stdout, "{kernel}");
+    }
+}
+
+#[test]
 fn notes_fail_only_when_they_are_named() {
     let (pinched, band) = (example("pinched.ply"), example("moebius.off"));
     let folder = Folder::new();
@@ -65,7 +118,7 @@ fn json_is_one_sorted_object_a_line_and_the_same_every_time() {
     let formats: Vec<&Value> = lines.iter().map(|line| &line["format"]).collect();
     assert_eq!(formats, ["obj", "off", "ply-ascii"]);
     for (line, text) in lines.iter().zip(run.stdout.lines()) {
-        assert_eq!(line["schema"], 1);
+        assert_eq!(line["schema"], 2);
         assert_eq!(line.to_string(), text, "a sorted map gives the same text");
     }
     assert_eq!(lines[0]["file"], files[0].as_str());

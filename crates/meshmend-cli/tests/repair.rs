@@ -41,7 +41,7 @@ fn the_json_report_has_before_after_and_every_pass() {
     assert_eq!(run.stdout, meshmend(&arguments).stdout);
     let report = run.json();
     assert_eq!(report.to_string() + "\n", run.stdout, "a sorted map gives the same text");
-    assert_eq!((&report["schema"], &report["before"]["file"]), (&json!(1), &json!(input)));
+    assert_eq!((&report["schema"], &report["before"]["file"]), (&json!(2), &json!(input)));
     assert_eq!((&report["before"]["manifold"], &report["after"]["manifold"]), (&json!(false), &json!(true)));
     assert_eq!(report["after"]["file"], output.as_str());
     let passes: Vec<&Value> = report["passes"].as_array().unwrap().iter().map(|pass| &pass["pass"]).collect();

@@ -20,8 +20,14 @@ fn a_decal_is_kept_and_named() {
     let report = meshmend(&["repair", &input, "-o", &output, "--json"]).succeeds().json();
     assert_eq!(report["removed_faces"]["count"], 0);
     let left = &report["passes"][1]["left"]["differing-face"];
-    let item =
-        json!({"kind": "differing-face", "face": 1, "original": 0, "differs": ["material", "texcoord"]});
+    let item = json!({
+        "kind": "differing-face",
+        "element": "face",
+        "face": 1,
+        "beside": {"element": "face", "face": 0},
+        "differs": ["material", "texcoord"],
+        "message": "f1 is f0 again, but for material and texcoord",
+    });
     assert_eq!((&left["count"], &left["items"][0]), (&json!(1), &item));
     let text = meshmend(&["repair", &input, "-o", &output]).succeeds().stdout;
     assert!(text.contains("f1 is f0 again, but for material and texcoord"), "{text}");
@@ -111,7 +117,13 @@ fn outward_says_which_cavities_it_turned() {
     };
     let report = run(&["--orient", "outward"]);
     let left = &report["passes"][2]["left"];
-    let item = json!({"kind": "turned-cavity", "face": 6, "faces": 6});
+    let item = json!({
+        "kind": "turned-cavity",
+        "element": "patch",
+        "face": 6,
+        "patch_faces": 6,
+        "message": "the closed patch of f6, 6 faces in all, is inside another",
+    });
     assert_eq!(left["turned-cavity"], json!({"count": 1, "items": [item]}));
     assert_eq!(left.get("unjudged-patch"), None);
     let text = meshmend(&["repair", &hollow, "--dry-run", "--orient", "outward"]).succeeds().stdout;
@@ -134,9 +146,9 @@ fn outward_does_not_call_a_body_inside_another_a_cavity() {
         let report =
             meshmend(&["repair", &input, "--dry-run", "--orient", "outward", "--json"]).succeeds().json();
         let turned = &report["passes"][2]["left"]["turned-cavity"]["items"];
-        let expected =
-            if inner { json!(null) } else { json!([{"kind": "turned-cavity", "face": 12, "faces": 6}]) };
-        assert_eq!(*turned, expected);
+        let expected = if inner { [json!(null), json!(null)] } else { [json!(12), json!(6)] };
+        assert_eq!([turned[0]["face"].clone(), turned[0]["patch_faces"].clone()], expected);
+        assert_eq!(turned[1], json!(null));
     }
 }
 
@@ -150,11 +162,13 @@ fn outward_names_what_it_can_not_judge() {
         let report = meshmend(&["repair", &input, "--dry-run", "--orient", side, "--json"]).succeeds().json();
         let orients: Vec<_> = report["passes"].as_array().unwrap().iter().collect();
         let last = orients.iter().rfind(|pass| pass["pass"] == "orient").unwrap();
-        let items = json!([
-            {"kind": "unjudged-patch", "face": 6, "faces": 2, "reason": "open"},
-            {"kind": "unjudged-patch", "face": 8, "faces": 2, "reason": "no-volume"},
-        ]);
-        assert_eq!(last["left"]["unjudged-patch"], json!({"count": 2, "items": items}));
+        let unjudged = &last["left"]["unjudged-patch"];
+        assert_eq!(unjudged["count"], 2);
+        let items = [(6, "open"), (8, "no-volume")];
+        for (item, (face, reason)) in unjudged["items"].as_array().unwrap().iter().zip(items) {
+            assert_eq!((&item["element"], &item["face"]), (&json!("patch"), &json!(face)));
+            assert_eq!((&item["patch_faces"], &item["reason"]), (&json!(2), &json!(reason)));
+        }
         let named = orients.iter().filter(|pass| pass["left"].get("unjudged-patch").is_some()).count();
         assert_eq!(named, 1);
     }

@@ -11,10 +11,11 @@
 //! 3. **Refusal is computed from capabilities.** A kernel declares what it holds ([`Capabilities`]); shared code
 //!    lists every [`Defect`] outside that ([`admission`]); only then is the kernel assembled, and that can't fail.
 //! 4. **One vocabulary of defects.** Why a kernel refuses, what a check finds and what a pass mends are all
-//!    [`Defect`]s.
+//!    [`Defect`]s: a kind, the [`Element`] where it is, and a count. All that is said of a kind is its [`Rule`].
 //! 5. **Provenance is the record of change.** A pass says for each new face and corner which old one it came
 //!    from ([`Provenance`]); everything else is derived, and attributes ride on it ([`Draft`]).
 
+mod admission;
 mod anchors;
 mod attributes;
 mod capabilities;
@@ -23,7 +24,7 @@ mod column;
 mod complex;
 mod connectivity;
 mod cycles;
-mod defect;
+mod defects;
 mod differences;
 mod draft;
 mod edge_table;
@@ -43,14 +44,18 @@ mod values;
 mod vertex_corners;
 mod words;
 
+pub use admission::{Refusal, admission};
 pub use attributes::{Carry, Domain, Layer, NO_VALUE};
-pub use capabilities::{Capabilities, Refusal, admission};
+pub use capabilities::Capabilities;
 pub use classes::{Classes, Joined, SidedClasses};
 pub use column::Column;
 pub use complex::Complex;
 pub use connectivity::{Connectivity, ManifoldConnectivity};
 pub use cycles::{canonical_rotation, distinct_count};
-pub use defect::{Defect, DefectKind, Severity, Unjudged};
+pub use defects::{
+    Defect, DefectKind, Defects, Detail, Element, Found, Listed, Rule, RuleError, Rules, Severity, Strip,
+    Unjudged,
+};
 pub use differences::{Aspect, Differences};
 pub use draft::{Blend, Draft, DraftError, Loose, VertexDraft};
 pub use edge_table::{EdgeSide, EdgeTable};

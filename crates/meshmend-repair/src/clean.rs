@@ -173,7 +173,7 @@ impl Clean {
         let (mut mended, mut non_finite) = (Vec::new(), Vec::new());
         for face in faces.faces() {
             if let Some(&vertex) = bad_vertex(face) {
-                non_finite.push(Defect::NonFiniteFace { face, vertex });
+                non_finite.push(Defect::non_finite_face(face, vertex));
                 if self.non_finite != NonFinite::Keep {
                     continue;
                 }
@@ -217,15 +217,15 @@ fn is_simple(vertices: &[VertexId]) -> bool {
 
 fn what_was_wrong(face: FaceId, vertices: &[VertexId], found: &Loops, parts: &Parts) -> Defect {
     match (found.loops.is_empty(), found.repeated, parts) {
-        (true, ..) => Defect::DegenerateFace { face },
-        (false, Some(vertex), Parts::Loops) => Defect::NonSimpleFace { face, vertex },
-        (false, Some(vertex), Parts::Pieces(_)) => Defect::FaceWithHole { face, vertex },
-        (false, Some(vertex), Parts::Crossing) => Defect::CrossingFace { face, vertex },
+        (true, ..) => Defect::degenerate_face(face),
+        (false, Some(vertex), Parts::Loops) => Defect::non_simple_face(face, vertex),
+        (false, Some(vertex), Parts::Pieces(_)) => Defect::face_with_hole(face, vertex),
+        (false, Some(vertex), Parts::Crossing) => Defect::crossing_face(face, vertex),
         (false, None, _) => {
             let mut places: Vec<(VertexId, usize)> = vertices.iter().copied().zip(0..).collect();
             places.sort_unstable();
             let again = places.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1).min();
-            Defect::RepeatedCorner { face, vertex: vertices[again.unwrap_or(0)] }
+            Defect::repeated_corner(face, vertices[again.unwrap_or(0)])
         }
     }
 }
@@ -329,7 +329,7 @@ impl Pieces<'_> {
         for &(repeat, original, differs) in &repeats.dropped {
             is_kept[repeat as usize] = false;
             let (face, original) = (self.face(repeat as usize), self.face(original as usize));
-            self.mended.push(Defect::DuplicateFace { face, original });
+            self.mended.push(Defect::duplicate_face(face, original));
             if !differs.is_empty() {
                 differed.push((face, differs));
             }
@@ -365,10 +365,8 @@ fn differing_faces(kept: &[(u32, u32, Differences)], is_kept: &[bool]) -> Vec<De
     };
     let numbers: Vec<u32> = is_kept.iter().map(number).collect();
     let face = |piece: u32| FaceId(numbers.get(piece as usize).copied().unwrap_or(piece));
-    let defect = |&(repeat, original, differs): &(u32, u32, Differences)| Defect::DifferingFace {
-        face: face(repeat),
-        original: face(original),
-        differs,
+    let defect = |&(repeat, original, differs): &(u32, u32, Differences)| {
+        Defect::differing_face(face(repeat), face(original), differs)
     };
     let mut left: Vec<Defect> = kept.iter().map(defect).collect();
     left.sort();

@@ -94,14 +94,14 @@ fn used_vertices(mesh: &PolygonMesh, drop_loose: Loose) -> Vec<bool> {
 fn removed(mesh: &PolygonMesh, is_used: &[bool], drop_loose: Loose) -> Vec<Defect> {
     let unused = is_used.iter().enumerate().filter(|(_, used)| !**used);
     let mut removed: Vec<Defect> =
-        unused.map(|(v, _)| Defect::UnreferencedVertex { vertex: VertexId::new(v) }).collect();
+        unused.map(|(v, _)| Defect::unreferenced_vertex(VertexId::new(v))).collect();
     if drop_loose.edges {
         let edges = mesh.loose_edges().iter().zip(0..);
-        removed.extend(edges.map(|(&ends, index)| Defect::LooseEdge { index, ends }));
+        removed.extend(edges.map(|(&ends, index)| Defect::loose_edge(index, ends)));
     }
     if drop_loose.points {
         let points = mesh.loose_points().iter().zip(0..);
-        removed.extend(points.map(|(&vertex, index)| Defect::LoosePoint { index, vertex }));
+        removed.extend(points.map(|(&vertex, index)| Defect::loose_point(index, vertex)));
     }
     removed
 }

@@ -143,7 +143,7 @@ impl Cut {
         for &edge in &edges {
             if edge_class(kernel, edge) == EdgeClass::NonManifold {
                 let (ends, degree) = (kernel.edge_ends(edge), kernel.edge_degree(edge) as u32);
-                return Err(CutError::NotManifold(Defect::NonManifoldEdge { edge, ends, degree }));
+                return Err(CutError::NotManifold(Defect::non_manifold_edge(edge, ends, degree)));
             }
             kernel.edge_ends(edge).into_iter().for_each(|end| is_end[end] = true);
         }
@@ -160,9 +160,9 @@ fn non_manifold(kernel: &EdgeUse, vertex: VertexId) -> Option<Defect> {
     match umbrellas(kernel, vertex).class() {
         VertexClass::Unreferenced | VertexClass::Disc | VertexClass::HalfDisc => None,
         VertexClass::Pinched { umbrellas, boundary_only } => {
-            Some(Defect::PinchedVertex { vertex, umbrellas, boundary_only })
+            Some(Defect::pinched_vertex(vertex, umbrellas, boundary_only))
         }
-        VertexClass::Singular => Some(Defect::SingularVertex { vertex }),
+        VertexClass::Singular => Some(Defect::singular_vertex(vertex)),
     }
 }
 

@@ -41,9 +41,8 @@ impl Mended {
     /// The defects, by kind and id.
     pub fn iter(&self) -> impl Iterator<Item = Defect> + '_ {
         let joined = self.joined_to.iter().enumerate().filter(|(v, low)| low.index() != *v);
-        let joined =
-            joined.map(|(v, &original)| Defect::CoincidentVertex { vertex: VertexId::new(v), original });
-        let turned = self.turned.iter().map(|&(edge, ends)| Defect::InconsistentEdge { edge, ends });
+        let joined = joined.map(|(v, &original)| Defect::coincident_vertex(VertexId::new(v), original));
+        let turned = self.turned.iter().map(|&(edge, ends)| Defect::inconsistent_edge(edge, ends));
         // A pass joins vertices or turns faces; those that it drops come before edges.
         self.listed.iter().cloned().chain(turned).chain(joined)
     }

@@ -310,7 +310,7 @@ impl Task<'_> {
         let context = Context { history: history.as_ref(), report: None, ..*self.context };
         let mut found = one_sided_patches(&outcome.mesh, &context)?;
         if found.is_empty() {
-            let patch = |&face: &FaceId| Defect::NonOrientablePatch { faces: vec![face], edges: Vec::new() };
+            let patch = |&face: &FaceId| Defect::non_orientable_patch(vec![face], Vec::new());
             found = lowest.iter().map(patch).collect();
         }
         if self.options.non_orientable == NonOrientable::Fail {
@@ -331,8 +331,8 @@ impl Task<'_> {
             let group = cycles.group_of(face).map_or(&[][..], |group| &cycles.groups()[group]);
             let alive = || group.iter().copied().filter(|&f| found.is_alive[f]);
             match alive().find(|&f| turned(f) == turned(face) && cycles.are_alike(f, face)) {
-                Some(original) => Defect::DuplicateFace { face, original },
-                None => Defect::OppositeFace { face, original: alive().next().unwrap_or(face) },
+                Some(original) => Defect::duplicate_face(face, original),
+                None => Defect::opposite_face(face, alive().next().unwrap_or(face)),
             }
         })
         .collect()
@@ -341,12 +341,10 @@ impl Task<'_> {
     /// In what faces that went differ from those that they repeat.
     fn differed<K: Connectivity>(&self, kernel: &K, dropped: &[Defect]) -> Vec<(FaceId, Differences)> {
         let Some(telling) = Telling::of(self.mesh, TellingLayers::All) else { return Vec::new() };
-        let differs = |defect: &Defect| match *defect {
-            Defect::DuplicateFace { face, original } | Defect::OppositeFace { face, original } => {
-                let [one, other] = [face, original].map(|face| looks(kernel, self.mesh, face));
-                Some((face, telling.differences(&one, &other)))
-            }
-            _ => None,
+        let differs = |defect: &Defect| {
+            let (face, original) = (defect.at.face()?, defect.beside.as_ref()?.face()?);
+            let [one, other] = [face, original].map(|face| looks(kernel, self.mesh, face));
+            Some((face, telling.differences(&one, &other)))
         };
         dropped.iter().filter_map(differs).filter(|(_, differs)| !differs.is_empty()).collect()
     }
@@ -436,11 +434,11 @@ impl Task<'_> {
             let way = |f: FaceId| cycles.runs_backward(f, found.is_flipped[f]);
             let original = new_id[first.index()];
             let opposite = alive.filter(|&f| way(f) != way(first));
-            left.extend(opposite.map(|f| Defect::OppositeFace { face: new_id[f.index()], original }));
+            left.extend(opposite.map(|f| Defect::opposite_face(new_id[f.index()], original)));
         }
         for (face, original, differs) in self.differing_left(kernel, cycles, found) {
             let [face, original] = [face, original].map(|face| new_id[face.index()]);
-            left.push(Defect::DifferingFace { face, original, differs });
+            left.push(Defect::differing_face(face, original, differs));
         }
         left.sort();
         left
@@ -500,7 +498,7 @@ fn one_sided_patches(mesh: &PolygonMesh, context: &Context<'_>) -> Result<Vec<De
     };
     let defect = |strip: OneSidedStrip| {
         let edges = strip.edges.iter().filter_map(|&edge| edge_here(edge)).collect();
-        Defect::NonOrientablePatch { faces: strip.faces, edges }
+        Defect::non_orientable_patch(strip.faces, edges)
     };
     Ok(strips.into_iter().map(defect).collect())
 }

@@ -395,7 +395,7 @@ mod tests {
         let cases = vec![
             (
                 failure(&strict, &shapes::two_tetrahedra_on_a_vertex().soup),
-                "the half-edge kernel can't hold this mesh: 1 pinched vertices (v0 joins 2 umbrellas)",
+                "the half-edge kernel can't hold this mesh: pinched vertices: 1 (v0 joins 2 umbrellas)",
             ),
             (
                 failure(&no_infinity, &infinite),
@@ -434,8 +434,7 @@ mod tests {
     fn sides_that_clash_are_a_broken_promise_where_there_is_a_consistent_side() {
         let pipeline = Plan::default().without(PassKind::Split).pipeline();
         let clashing = promise_of_the_lazy(&pipeline, &Soup::generic(4, [[0, 1, 2], [1, 2, 3]]));
-        let is_named =
-            matches!(clashing, Some(PassError::Promise { defect: Defect::InconsistentEdge { .. }, .. }));
+        let is_named = matches!(&clashing, Some(PassError::Promise { defect, .. }) if defect.kind == DefectKind::InconsistentEdge);
         assert!(is_named, "{clashing:?}");
         let band = shapes::moebius_band(6, 1, shapes::Tiles::Quads).soup;
         assert!(promise_of_the_lazy(&pipeline, &band).is_none());

@@ -159,7 +159,7 @@ impl KernelTask for Task<'_> {
         };
         let mut seam: Vec<Defect> = seams::seam_edges(kernel, &seam).collect();
         let came_apart = parted.iter().filter(|&&edge| self.comes_apart(kernel, &names, edge));
-        seam.extend(came_apart.map(|&edge| Defect::InconsistentEdge { edge, ends: kernel.edge_ends(edge) }));
+        seam.extend(came_apart.map(|&edge| Defect::inconsistent_edge(edge, kernel.edge_ends(edge))));
         drop(matching);
         let outcome = self.outcome(kernel, &parts, names, inserted, seam)?;
         Ok(Outcome { seam: figures, ..outcome })
@@ -234,8 +234,7 @@ impl Task<'_> {
             return Ok(Outcome { left, ..Outcome::unchanged(self.mesh) });
         }
         let mut mended = self.mended(kernel, parts);
-        let coincident =
-            inserted.edges.iter().map(|&e| Defect::CoincidentEdges { ends: kernel.edge_ends(e) });
+        let coincident = inserted.edges.iter().map(|&e| Defect::coincident_edges(kernel.edge_ends(e)));
         mended.extend(coincident.chain(seam));
         let outcome =
             Outcome::changed(self.mesh.rebuild(draft::draft(self.mesh, names, inserted)?)?, mended.into());
@@ -256,7 +255,7 @@ impl Task<'_> {
             let edges = kernel.edges().filter(|&e| edge_class(kernel, e) == EdgeClass::NonManifold);
             mended.extend(edges.map(|edge| {
                 let degree = kernel.edge_degree(edge) as u32;
-                Defect::NonManifoldEdge { edge, ends: kernel.edge_ends(edge), degree }
+                Defect::non_manifold_edge(edge, kernel.edge_ends(edge), degree)
             }));
         }
         let by_vertex = parts.parts.chunk_by(|one, next| one.vertex == next.vertex);
@@ -264,11 +263,11 @@ impl Task<'_> {
         {
             mended.push(match class {
                 VertexClass::Pinched { umbrellas, boundary_only } => {
-                    Defect::PinchedVertex { vertex, umbrellas, boundary_only }
+                    Defect::pinched_vertex(vertex, umbrellas, boundary_only)
                 }
                 // An edge that ends here is named.
                 VertexClass::Disc | VertexClass::HalfDisc => continue,
-                _ => Defect::SingularVertex { vertex },
+                _ => Defect::singular_vertex(vertex),
             });
         }
         mended
@@ -283,7 +282,7 @@ impl Task<'_> {
         let crowded = edges.edges().filter(|&e| edges.edge_corners(e).len() > 2);
         let defect = |edge| {
             let degree = edges.edge_corners(edge).len() as u32;
-            Defect::NonManifoldEdge { edge, ends: edges.ends(edge), degree }
+            Defect::non_manifold_edge(edge, edges.ends(edge), degree)
         };
         crowded.map(defect).collect()
     }

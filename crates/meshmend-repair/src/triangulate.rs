@@ -81,10 +81,10 @@ fn cut_all(mesh: &PolygonMesh, clearance: Clearance) -> Result<Outcome, PassErro
         if corners <= 3 {
             cutter.keep(face);
         } else if distinct_count(vertices) < vertices.len() {
-            left.push(Defect::PolygonFace { face: FaceId::new(cutter.face_count()), corners });
+            left.push(Defect::polygon_face(FaceId::new(cutter.face_count()), corners));
             cutter.keep(face);
         } else {
-            mended.push(Defect::PolygonFace { face, corners });
+            mended.push(Defect::polygon_face(face, corners));
             cutter.cut(face, &[(0..vertices.len()).collect()], &mut room);
         }
     }

@@ -208,7 +208,7 @@ mod tests {
         let weld = |distance| Weld { distance }.apply(&mesh, &Context::default());
         for distance in [Distance::Relative(0.1), Distance::Absolute(0.25)] {
             let joined: Vec<_> = weld(distance).unwrap().mended.iter().collect();
-            assert_eq!(joined, [Defect::CoincidentVertex { vertex: VertexId(2), original: VertexId(1) }]);
+            assert_eq!(joined, [Defect::coincident_vertex(VertexId(2), VertexId(1))]);
         }
         assert!(weld(Distance::Absolute(1e-300)).is_err(), "what is used is too large for it, too");
     }

@@ -5,7 +5,8 @@
 use std::collections::BTreeSet;
 
 use meshmend_core::{
-    Carry, Column, Connectivity, Defect, Domain, EdgeId, EdgeUse, Layer, PolygonMesh, Values, VertexId,
+    Carry, Column, Connectivity, Defect, DefectKind, Domain, EdgeId, EdgeUse, Layer, PolygonMesh, Values,
+    VertexId,
 };
 use meshmend_repair::{CutAlong, CutError, CutOpen, Discs, cut_open, cut_to_discs, edge_lengths};
 use meshmend_testkit::Soup;
@@ -195,17 +196,29 @@ fn what_is_no_surface_is_refused() {
     let fan = shapes::three_triangles_on_an_edge().soup.mesh();
     let shared = fan.complex().edges().edges().find(|&e| fan.complex().edges().edge_corners(e).len() == 3);
     let refused = cut_open(&fan, &[shared.unwrap()]).unwrap_err();
-    assert!(matches!(refused, CutError::NotManifold(Defect::NonManifoldEdge { degree: 3, .. })), "{refused}");
+    assert!(
+        matches!(refused, CutError::NotManifold(Defect { kind: DefectKind::NonManifoldEdge, count: 3, .. })),
+        "{refused}"
+    );
     let other = fan.complex().edges().edges().find(|&e| fan.complex().edges().edge_corners(e).len() == 1);
     let refused = cut_open(&fan, &[other.unwrap()]).unwrap_err();
-    assert!(matches!(refused, CutError::NotManifold(Defect::SingularVertex { .. })), "{refused}");
+    assert!(
+        matches!(refused, CutError::NotManifold(Defect { kind: DefectKind::SingularVertex, .. })),
+        "{refused}"
+    );
     let bow_tie = shapes::bow_tie().soup.mesh();
     let all: Vec<EdgeId> = bow_tie.complex().edges().edges().collect();
     let refused = cut_open(&bow_tie, &all).unwrap_err();
-    assert!(matches!(refused, CutError::NotManifold(Defect::PinchedVertex { .. })), "{refused}");
+    assert!(
+        matches!(refused, CutError::NotManifold(Defect { kind: DefectKind::PinchedVertex, .. })),
+        "{refused}"
+    );
     for along in [CutAlong::CutGraph, CutAlong::Generators] {
         let refused = cut_to_discs(&bow_tie, along, &GREEDY).unwrap_err();
-        assert!(matches!(refused, CutError::NotManifold(Defect::PinchedVertex { .. })), "{refused}");
+        assert!(
+            matches!(refused, CutError::NotManifold(Defect { kind: DefectKind::PinchedVertex, .. })),
+            "{refused}"
+        );
     }
     let beyond = EdgeId(all.len() as u32);
     assert_eq!(cut_open(&bow_tie, &[beyond]).unwrap_err(), CutError::NoSuchEdge(beyond));

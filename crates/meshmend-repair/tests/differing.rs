@@ -80,7 +80,7 @@ fn a_decal_stays_a_sheet_of_its_own_and_the_body_stays_closed() {
             assert_eq!(repaired.mesh.counts().faces, 5);
             assert_eq!(components(&repaired), named(&[(1, "sphere"), (1, "disc")]), "face {lying}");
             let differs: Differences = [Aspect::Material].into_iter().collect();
-            let defect = Defect::DifferingFace { face: FaceId(4), original: FaceId::new(lying), differs };
+            let defect = Defect::differing_face(FaceId(4), FaceId::new(lying), differs);
             assert_eq!(kinds_left(&repaired, PassKind::Orient), [defect]);
             assert!(repaired.provenance.flipped.is_empty());
             assert_final(&repaired, &Pipeline::default());

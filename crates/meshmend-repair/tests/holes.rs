@@ -250,7 +250,7 @@ fn opposite_and_repeated_faces_with_a_hole() {
 fn a_face_that_crosses_itself_is_split_into_its_loops_and_named() {
     let corners = [[2.0, 3.0], [1.0, 0.0], [0.0, 4.0], [4.0, 3.0], [2.0, 3.0], [0.0, 1.0], [4.0, 2.0]];
     let crossing = face(&corners);
-    let expected = Defect::CrossingFace { face: FaceId(0), vertex: VertexId(0) };
+    let expected = Defect::crossing_face(FaceId(0), VertexId(0));
     assert_eq!(named(&repair(&crossing), DefectKind::CrossingFace), [expected]);
     assert_eq!(pieces_of(&cleaned(&crossing), 0), [vec![0, 1, 2, 3], vec![0, 4, 5]]);
 }

@@ -136,11 +136,9 @@ fn a_policy_of_fail_names_what_it_found() {
     let Err(PassError::Policy { pass: "orient", defects, .. }) = plan.pipeline().run(&band.mesh()) else {
         panic!("a Möbius band was accepted")
     };
-    let meshmend_core::Defect::NonOrientablePatch { faces, edges } = &defects[0] else {
-        panic!("{defects:?}")
-    };
-    let faces: Vec<u32> = faces.iter().map(|face| face.0).collect();
-    let edges: Vec<u32> = edges.iter().map(|edge| edge.0).collect();
+    let meshmend_core::Element::Strip(strip) = &defects[0].at else { panic!("{defects:?}") };
+    let faces: Vec<u32> = strip.faces.iter().map(|face| face.0).collect();
+    let edges: Vec<u32> = strip.edges.iter().map(|edge| edge.0).collect();
     assert_eq!(oracle::check_witness(&band, &faces, &edges), Ok(()));
     let mut plan = Plan::default();
     plan.clean.non_finite = NonFinite::Fail;

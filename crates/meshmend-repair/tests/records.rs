@@ -28,7 +28,7 @@ fn mended(outcome: &Outcome) -> Vec<Defect> {
 fn clean_names_a_repeated_triangle_with_the_first_of_its_kind() {
     let soup = Soup::generic(6, [[3, 4, 5], [0, 1, 2], [0, 2, 1], [1, 2, 0]]);
     let cleaned = alone(&Clean::default(), &soup);
-    assert_eq!(mended(&cleaned), [Defect::DuplicateFace { face: FaceId(3), original: FaceId(1) }]);
+    assert_eq!(mended(&cleaned), [Defect::duplicate_face(FaceId(3), FaceId(1))]);
     assert_eq!(Soup::of_mesh(&cleaned.mesh).faces, soup.faces[..3]);
 }
 
@@ -54,14 +54,14 @@ fn orient_names_a_dropped_face_with_the_one_that_stays() {
     soup.positions.extend_from_within(..3);
     let repaired = in_a_row(&[PassKind::Weld, PassKind::Orient], Plan::default(), &soup);
     let named: Vec<Defect> = repaired.passes[1].mended.iter().collect();
-    assert_eq!(named, [Defect::DuplicateFace { face: FaceId(2), original: FaceId(1) }]);
+    assert_eq!(named, [Defect::duplicate_face(FaceId(2), FaceId(1))]);
 }
 
 #[test]
 fn opposite_faces_are_called_so_whether_they_stay_or_go() {
     let wall = Soup::generic(6, [[3, 4, 5], [0, 1, 2], [0, 2, 1]]);
     let orient = |duplicates| alone(&Orient { duplicates, ..Orient::default() }, &wall);
-    let second = Defect::OppositeFace { face: FaceId(2), original: FaceId(1) };
+    let second = Defect::opposite_face(FaceId(2), FaceId(1));
     let kept = orient(Duplicates::Keep);
     assert_eq!((mended(&kept), &kept.left[..]), (vec![], &[second.clone()][..]));
     let first = orient(Duplicates::KeepFirst);
@@ -74,7 +74,7 @@ fn opposite_faces_are_called_so_whether_they_stay_or_go() {
 #[test]
 fn split_names_the_edges_that_it_took_apart_or_left() {
     let book = Soup::generic(5, [[0, 1, 2], [0, 1, 3], [0, 1, 4]]);
-    let spine = Defect::NonManifoldEdge { edge: EdgeId(0), ends: [0, 1].map(VertexId), degree: 3 };
+    let spine = Defect::non_manifold_edge(EdgeId(0), [0, 1].map(VertexId), 3);
     let sheets = alone(&Split::default(), &book);
     assert!(mended(&sheets).contains(&spine) && sheets.left.is_empty(), "{:?}", sheets.mended);
     let whole = alone(&Split { edges: SplitEdges::PinchOnly, ..Split::default() }, &book);
@@ -109,7 +109,7 @@ fn a_relative_tolerance_is_a_part_of_the_diagonal() {
     plan.weld.distance = Distance::Relative(0.01);
     let welded = in_a_row(&[PassKind::Weld], plan, &soup);
     let joined: Vec<Defect> = welded.passes[0].mended.iter().collect();
-    assert_eq!(joined, [Defect::CoincidentVertex { vertex: VertexId(1), original: VertexId(0) }]);
+    assert_eq!(joined, [Defect::coincident_vertex(VertexId(1), VertexId(0))]);
 }
 
 /// Three squares over the same four vertices.

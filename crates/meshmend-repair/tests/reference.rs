@@ -11,7 +11,7 @@
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 
-use meshmend_core::{Defect, FaceId, FaceTableBuilder, PolygonMesh, VertexId};
+use meshmend_core::{Defect, DefectKind, FaceId, FaceTableBuilder, PolygonMesh, VertexId};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{Emptying, PassKind, Pipeline, Plan, Repaired, SplitEdges};
 use meshmend_testkit::{Soup, reference};
@@ -64,8 +64,8 @@ fn words_of(repaired: &Repaired) -> Value {
         .unwrap()
         .defects
         .iter()
-        .filter_map(|d| match d {
-            meshmend_core::Defect::NonOrientablePatch { faces, .. } => faces.iter().map(|f| f.0).min(),
+        .filter_map(|defect| match defect.at {
+            meshmend_core::Element::Strip(strip) => strip.faces.iter().map(|f| f.0).min(),
             _ => None,
         })
         .collect();
@@ -169,13 +169,11 @@ fn faults(mesh: &PolygonMesh, soup: &Soup, holes: &[u32]) -> Vec<String> {
     let positions = reference::exact_positions(soup);
     let named = cleaned.passes.iter().flat_map(|pass| pass.mended.iter());
     let spared: Vec<FaceId> = named
-        .filter_map(|defect| match defect {
-            Defect::CrossingFace { face, .. } | Defect::DuplicateFace { face, .. } => Some(face),
-            _ => None,
-        })
+        .filter(|defect| matches!(defect.kind, DefectKind::CrossingFace | DefectKind::DuplicateFace))
+        .filter_map(|defect| defect.at.face())
         .collect();
     // What goes in a second round has other numbers there.
-    let is_repeat = |defect: Defect| matches!(defect, Defect::DuplicateFace { .. });
+    let is_repeat = |defect: Defect| defect.kind == DefectKind::DuplicateFace;
     if cleaned.passes.iter().skip(2).any(|pass| pass.mended.iter().any(is_repeat)) {
         return faults;
     }

@@ -18,6 +18,7 @@
 //! No answer is a guess: a figure that is not defined for a mesh (the genus of something that is no surface) is
 //! absent, and the report says why.
 
+mod defects;
 mod faces;
 mod homology;
 mod ids;
@@ -29,6 +30,7 @@ mod surfaces;
 #[cfg(test)]
 mod shapes;
 
+pub use defects::DefectList;
 pub use faces::{
     AlikeFace, DuplicateFace, Likeness, alike_faces, duplicate_faces, faces_with_repeated_corners,
     non_simple_faces,
@@ -47,8 +49,8 @@ pub use orientation::{
     one_sided_loops, one_sided_loops_by_length, orientability, patches, seams, seams_by_length, short_seam,
 };
 pub use report::{
-    DefectList, DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness,
-    topology, topology_with,
+    DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness, topology,
+    topology_with,
 };
 pub use surfaces::{
     BoundaryLoops, ComponentFacts, ComponentKind, Components, GluingWord, Letter, Surface, boundary_loops,

@@ -1,8 +1,11 @@
 //! What a mesh is, what is wrong with it and where, and which kernels hold it.
 
 use std::collections::BTreeMap;
+use std::iter;
 
-use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Severity, Sources, VertexId};
+use meshmend_core::{
+    Defect, DefectKind, Defects, Found, Listed, PolygonMesh, Rules, Severity, Sources, VertexId,
+};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{Coincidence, Distance, Examined, PassError, Weld};
 use meshmend_topology::{TopologyReport, Witness};
@@ -19,6 +22,8 @@ pub struct CheckOptions {
     pub kernel: KernelKind,
     /// Which strip of faces shows that a patch is not orientable.
     pub witness: Witness,
+    /// Which kinds of defect are looked for.
+    pub rules: Rules,
 }
 
 /// What a check found.
@@ -41,6 +46,9 @@ pub struct CheckReport {
     pub joined_in_single: u64,
     /// The vertices that exact welding would join to a lower one; nothing where the view is welded.
     coincident: Vec<(VertexId, VertexId)>,
+    rules: Rules,
+    /// What was found by rules that are not meshmend's own.
+    own: Vec<(DefectKind, Vec<Defect>)>,
 }
 
 /// How many elements a mesh has as stored, whether anything uses them or not.
@@ -101,15 +109,15 @@ impl CheckOptions {
 impl CheckReport {
     /// The report on a mesh as stored whose topology is known already, as it is after a repair.
     ///
-    /// *Cost*: an exact weld.
-    pub fn of_topology(mesh: PolygonMesh, topology: TopologyReport) -> Self {
+    /// *Cost*: an exact weld, and what other rules than meshmend's own take.
+    pub fn of_topology(mesh: PolygonMesh, topology: TopologyReport, rules: Rules) -> Self {
         let vertices = Sources::same(mesh.counts().vertices);
-        Self::new(View::Indexed, StoredCounts::of(&mesh), (mesh, vertices), topology)
+        Self::new(View::Indexed, StoredCounts::of(&mesh), (mesh, vertices), topology, rules)
     }
 
     fn of_examined(stored: &PolygonMesh, options: &CheckOptions, examined: &Examined) -> Self {
         let mesh = (examined.mesh().clone(), examined.vertex_sources());
-        Self::new(options.view, StoredCounts::of(stored), mesh, examined.report().clone())
+        Self::new(options.view, StoredCounts::of(stored), mesh, examined.report().clone(), options.rules)
     }
 
     fn new(
@@ -117,6 +125,7 @@ impl CheckReport {
         stored: StoredCounts,
         (mesh, vertex_sources): (PolygonMesh, Sources<VertexId>),
         topology: TopologyReport,
+        rules: Rules,
     ) -> Self {
         let (mut coincident, mut joined_in_single) = (Vec::new(), 0);
         if matches!(view, View::Indexed | View::Welded(Distance::Exact)) {
@@ -125,6 +134,7 @@ impl CheckReport {
             coincident.extend(joined.filter(|_| view == View::Indexed));
             joined_in_single = only_in_single as u64;
         }
+        let own = rules.own().map(|kind| (kind, found_in(&mesh, kind))).collect();
         let kernels = Vec::new();
         let mut report = CheckReport {
             view,
@@ -135,6 +145,8 @@ impl CheckReport {
             kernels,
             joined_in_single,
             coincident,
+            rules,
+            own,
         };
         report.kernels = KernelKind::ALL.iter().map(|&kernel| report.verdict(kernel)).collect();
         report
@@ -142,44 +154,46 @@ impl CheckReport {
 
     /// Whether nothing is wrong: no defect of any kind but notes.
     pub fn is_sound(&self) -> bool {
-        let mut wrong = DefectKind::ALL.iter().filter(|kind| kind.severity() == Severity::Defect);
-        wrong.all(|&kind| self.count(kind) == 0)
+        let mut wrong = self.rules.kinds().filter(|kind| kind.severity() == Severity::Defect);
+        wrong.all(|kind| self.count(kind) == 0)
     }
 
     /// How many defects of a kind there are; 0 for the kinds that only a repair finds.
     ///
-    /// *Cost*: constant, or linear in the faces for `polygon-face` and `non-finite-face`.
+    /// *Cost*: constant, or for kinds that are [found in the mesh](Found::InMesh) that of finding them.
     pub fn count(&self, kind: DefectKind) -> usize {
-        match kind {
-            DefectKind::CoincidentVertex => self.coincident.len(),
-            DefectKind::PolygonFace => self.polygons().count(),
-            DefectKind::NonFiniteFace if self.topology.non_finite_vertices == 0 => 0,
-            DefectKind::NonFiniteFace => self.non_finite_faces().count(),
-            kind => self.topology.defects.count(kind),
+        match (kind, kind.rule().found) {
+            (DefectKind::Own(_), _) => self.defects_of_kind(kind).count(),
+            (_, Found::InSurvey) => self.topology.defects.count(kind),
+            (_, Found::ByWelding) => self.coincident.len(),
+            _ => self.defects_of_kind(kind).count(),
         }
     }
 
     /// The defects of a kind, by ascending id.
-    pub fn defects_of_kind(&self, kind: DefectKind) -> Box<dyn Iterator<Item = Defect> + '_> {
-        match kind {
-            DefectKind::CoincidentVertex => Box::new(
-                self.coincident
-                    .iter()
-                    .map(|&(vertex, original)| Defect::CoincidentVertex { vertex, original }),
-            ),
-            DefectKind::PolygonFace => Box::new(self.polygons()),
-            DefectKind::NonFiniteFace => Box::new(self.non_finite_faces()),
-            kind => Box::new(self.topology.defects.of_kind(kind)),
+    pub fn defects_of_kind(&self, kind: DefectKind) -> Defects<'_> {
+        let rule = kind.rule();
+        if let DefectKind::Own(_) = kind {
+            let found = self.own.iter().filter(move |(own, _)| *own == kind);
+            return Box::new(found.flat_map(|(_, defects)| defects.iter().cloned()));
+        }
+        match (rule.found, rule.listed) {
+            (_, Listed::AlreadyBy(other)) if self.count(other) == 0 => Box::new(iter::empty()),
+            (Found::InSurvey, _) => Box::new(self.topology.defects.of_kind(kind)),
+            (Found::InMesh(find), _) => find(&self.mesh),
+            (Found::ByWelding, _) => {
+                let pairs = self.coincident.iter();
+                Box::new(pairs.map(|&(vertex, original)| Defect::coincident_vertex(vertex, original)))
+            }
+            _ => Box::new(iter::empty()),
         }
     }
 
     /// The kinds that occur and that a report lists unasked, in order.
-    ///
-    /// Polygons are no news to who has them, and faces that are not finite are told by their vertices.
     pub fn listed_kinds(&self) -> impl Iterator<Item = DefectKind> + '_ {
         let unasked =
-            |kind: &DefectKind| !matches!(kind, DefectKind::PolygonFace | DefectKind::NonFiniteFace);
-        DefectKind::ALL.iter().copied().filter(unasked).filter(|&kind| self.count(kind) > 0)
+            |kind: &DefectKind| !matches!(kind.rule().listed, Listed::OnRequest | Listed::AlreadyBy(_));
+        self.rules.kinds().filter(unasked).filter(|&kind| self.count(kind) > 0)
     }
 
     /// The vertex as stored that a vertex of the mesh is.
@@ -187,27 +201,22 @@ impl CheckReport {
         self.vertex_sources.of(vertex).unwrap_or(vertex)
     }
 
-    fn polygons(&self) -> impl Iterator<Item = Defect> + '_ {
-        let faces = self.mesh.complex().faces();
-        let corners = move |face: FaceId| faces.corner_range(face).len() as u32;
-        let polygons = faces.faces().filter(move |&face| corners(face) > 3);
-        polygons.map(move |face| Defect::PolygonFace { face, corners: corners(face) })
-    }
-
-    fn non_finite_faces(&self) -> impl Iterator<Item = Defect> + '_ {
-        let faces = self.mesh.faces();
-        faces.faces().filter_map(|face| {
-            let vertex = *faces.face_vertices(face).iter().find(|&&vertex| !self.mesh.is_finite(vertex))?;
-            Some(Defect::NonFiniteFace { face, vertex })
-        })
-    }
-
     fn verdict(&self, kernel: KernelKind) -> KernelVerdict {
-        let refusals: BTreeMap<DefectKind, u64> = not_admitted(kernel)
+        let refusals: BTreeMap<DefectKind, u64> = kernel
+            .capabilities()
+            .refused_kinds()
             .map(|kind| (kind, self.count(kind) as u64))
             .filter(|&(_, count)| count > 0)
             .collect();
         KernelVerdict { name: kernel.name(), holds: refusals.is_empty(), refusals }
+    }
+}
+
+/// What the rule of a kind finds in a mesh.
+fn found_in(mesh: &PolygonMesh, kind: DefectKind) -> Vec<Defect> {
+    match kind.rule().found {
+        Found::InMesh(find) => find(mesh).collect(),
+        _ => Vec::new(),
     }
 }
 
@@ -223,23 +232,9 @@ impl StoredCounts {
     }
 }
 
-/// The kinds of defect that stand against a kernel.
-fn not_admitted(kernel: KernelKind) -> impl Iterator<Item = DefectKind> {
-    let able = kernel.capabilities();
-    let rules = [
-        (able.non_simple_faces, DefectKind::NonSimpleFace),
-        (able.polygons, DefectKind::PolygonFace),
-        (able.non_manifold_edges, DefectKind::NonManifoldEdge),
-        (able.mixed_orientation, DefectKind::InconsistentEdge),
-        (able.non_manifold_vertices, DefectKind::PinchedVertex),
-        (able.non_manifold_vertices, DefectKind::SingularVertex),
-    ];
-    rules.into_iter().filter(|(is_admitted, _)| !is_admitted).map(|(_, kind)| kind)
-}
-
 #[cfg(test)]
 mod tests {
-    use meshmend_core::{FaceTableBuilder, admission};
+    use meshmend_core::{FaceId, FaceTableBuilder, admission};
 
     use super::*;
 
@@ -322,12 +317,12 @@ mod tests {
         report = check(&mesh(&infinite, &[&[0, 1, 2]]), &CheckOptions::default()).unwrap();
         assert!(!report.is_sound());
         let faces: Vec<_> = report.defects_of_kind(DefectKind::NonFiniteFace).collect();
-        assert_eq!(faces, [Defect::NonFiniteFace { face: FaceId(0), vertex: VertexId(1) }]);
+        assert_eq!(faces, [Defect::non_finite_face(FaceId(0), VertexId(1))]);
         assert_eq!(report.count(DefectKind::NonFiniteFace), 1);
         report = check(&mesh(&spread(4), &[&[0, 1, 2, 3]]), &CheckOptions::default()).unwrap();
         assert!(report.is_sound());
         let faces: Vec<_> = report.defects_of_kind(DefectKind::PolygonFace).collect();
-        assert_eq!(faces, [Defect::PolygonFace { face: FaceId(0), corners: 4 }]);
+        assert_eq!(faces, [Defect::polygon_face(FaceId(0), 4)]);
     }
 
     #[test]

@@ -108,8 +108,8 @@ pub use kernel_bench::{KernelCost, KernelQuestion};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, cut, loops};
 pub use mend::repair;
 pub use meshmend_core::{
-    CornerId, Defect, DefectKind, EdgeId, FaceId, FaceTable, FaceTableBuilder, FlippedNormals, Id,
-    PolygonMesh, Provenance, Refusal, Severity, VertexId,
+    CornerId, Defect, DefectKind, EdgeId, Element, FaceId, FaceTable, FaceTableBuilder, FlippedNormals, Id,
+    PolygonMesh, Provenance, Refusal, Rule, Rules, Severity, VertexId,
 };
 pub use meshmend_io::{
     Encoding, Format, Loss, Note, ReadError, ReadFile, ReadOptions, Seams, WriteError, WriteOptions, encode,

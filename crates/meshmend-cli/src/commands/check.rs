@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use meshmend::report::{CheckDocument, json};
 use meshmend::topology::Witness;
-use meshmend::{CheckOptions, CheckReport, DefectKind, KernelKind, View, check};
+use meshmend::{CheckOptions, CheckReport, DefectKind, KernelKind, Rules, View, check};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -43,8 +43,8 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
     /// Kinds of defect that fail the check beside those that always do; `explain` lists them
-    #[arg(long, value_name = "KIND", value_delimiter = ',', value_parser = words::defect_kind)]
-    fail_on: Vec<DefectKind>,
+    #[arg(long, value_name = "KIND", value_delimiter = ',')]
+    fail_on: Vec<String>,
 }
 
 /// What shows that a patch is not orientable.
@@ -66,13 +66,16 @@ impl From<WitnessWord> for Witness {
 }
 
 impl Check {
-    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+    pub(crate) fn run(self, rules: Rules, console: &mut Console<'_>) -> Result<Status, Failure> {
+        let fail_on: Result<Vec<_>, _> =
+            self.fail_on.iter().map(|word| words::defect_kind(rules, word)).collect();
+        let asked = Asked { rules, fail_on: fail_on? };
         let (mut status, mut rows) = (Status::Done, Vec::new());
         for (place, file) in self.files.iter().enumerate() {
             if console.is_closed() {
                 break;
             }
-            match self.check_file(file, console) {
+            match self.check_file(file, &asked, console) {
                 Ok((document, found)) => {
                     status = status.and(found);
                     if self.table {
@@ -97,15 +100,21 @@ impl Check {
     }
 
     /// The report on one file, and whether it fails.
-    fn check_file(&self, path: &Path, console: &mut Console<'_>) -> Result<(CheckDocument, Status), Failure> {
+    fn check_file(
+        &self,
+        path: &Path,
+        asked: &Asked,
+        console: &mut Console<'_>,
+    ) -> Result<(CheckDocument, Status), Failure> {
         let progress = console.progress(2);
         progress.step(&format!("read {}", name(path)));
         let file = self.from.read(path, console)?;
         progress.step(&format!("check {}", name(path)));
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        let options = CheckOptions { view, kernel: self.kernel, witness: self.witness.into() };
+        let options =
+            CheckOptions { view, kernel: self.kernel, witness: self.witness.into(), rules: asked.rules };
         let report = check(&file.mesh, &options).map_err(|error| Failure::of_pass(&name(path), &error))?;
-        let status = if self.is_failing(&report) { Status::DefectsFound } else { Status::Done };
+        let status = if asked.is_failing(&report) { Status::DefectsFound } else { Status::Done };
         let document = CheckDocument::new(report, self.limit).of_file(name(path), &file);
         Ok((document, status))
     }
@@ -113,7 +122,15 @@ impl Check {
     fn text(&self, document: &CheckDocument, console: &Console<'_>) -> Result<String, Failure> {
         if self.json { json_line(document) } else { Ok(render::check(document, console.style())) }
     }
+}
 
+/// What is looked for, and what of it fails a check beside what always does.
+struct Asked {
+    rules: Rules,
+    fail_on: Vec<DefectKind>,
+}
+
+impl Asked {
     fn is_failing(&self, report: &CheckReport) -> bool {
         !report.is_sound() || self.fail_on.iter().any(|&kind| report.count(kind) > 0)
     }

@@ -1,7 +1,7 @@
 //! `meshmend explain`: the words of reports, in sentences.
 
 use clap::Args;
-use meshmend::{DefectKind, KernelKind, PassKind};
+use meshmend::{KernelKind, PassKind, Rules};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -16,11 +16,11 @@ pub(crate) struct Explain {
 }
 
 impl Explain {
-    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+    pub(crate) fn run(self, rules: Rules, console: &mut Console<'_>) -> Result<Status, Failure> {
         let style = console.style();
         let text = match self.name.as_deref() {
-            None => render::glossary(style),
-            Some(name) => entry(name)
+            None => render::glossary(rules, style),
+            Some(name) => entry(rules, name)
                 .map(|(heading, text)| render::explanation(&heading, text, style))
                 .ok_or_else(|| {
                     Failure::usage(format!(
@@ -34,8 +34,8 @@ impl Explain {
 }
 
 /// A heading and an explanation.
-fn entry(name: &str) -> Option<(String, &'static str)> {
-    let defect = DefectKind::from_code(name).map(|kind| (render::defect_heading(kind), kind.explanation()));
+fn entry(rules: Rules, name: &str) -> Option<(String, &'static str)> {
+    let defect = rules.kind(name).map(|kind| (render::defect_heading(kind), kind.explanation()));
     let pass = || PassKind::from_name(name).map(|pass| (format!("{pass}: a pass"), pass.explanation()));
     let kernel =
         || KernelKind::from_name(name).map(|kernel| (format!("{kernel}: a kernel"), kernel.explanation()));

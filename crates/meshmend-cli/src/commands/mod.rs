@@ -18,6 +18,7 @@ use std::path::PathBuf;
 use std::slice;
 
 use clap::Subcommand;
+use meshmend::Rules;
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -58,10 +59,10 @@ impl Command {
         }
     }
 
-    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+    pub(crate) fn run(self, rules: Rules, console: &mut Console<'_>) -> Result<Status, Failure> {
         match self {
-            Command::Check(command) => command.run(console),
-            Command::Repair(command) => command.run(console),
+            Command::Check(command) => command.run(rules, console),
+            Command::Repair(command) => command.run(rules, console),
             Command::Convert(command) => command.run(console),
             Command::Loops(command) => command.run(console),
             Command::Cut(command) => command.run(console),
@@ -71,7 +72,7 @@ impl Command {
             Command::Flatten(command) => command.run(console),
             Command::Make(command) => command.run(console),
             Command::Kernels(command) => command.run(console),
-            Command::Explain(command) => command.run(console),
+            Command::Explain(command) => command.run(rules, console),
             Command::Completions(command) => command.run(console),
         }
     }

@@ -9,7 +9,7 @@ use meshmend::repair::{FaceStorage, Precision, Writing};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
     CheckOptions, CheckReport, Encoding, Examined, Format, KernelKind, PassKind, Pipeline, Plan, PolygonMesh,
-    ReadFile, Repaired, View, WriteError, WriteOptions, check, check_before_repair,
+    ReadFile, Repaired, Rules, View, WriteError, WriteOptions, check, check_before_repair,
 };
 
 use super::check::json_line;
@@ -96,7 +96,7 @@ impl Target<'_> {
 }
 
 impl Repair {
-    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+    pub(crate) fn run(self, rules: Rules, console: &mut Console<'_>) -> Result<Status, Failure> {
         self.check_output()?;
         // What is wrong with the command line is told before anything is read.
         let plan = self.policies.plan()?;
@@ -110,7 +110,7 @@ impl Repair {
         let pipeline = self.pipeline(plan, &file, target.as_ref());
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         progress.step("check");
-        let (before, examined) = if self.quiet { None } else { Some(self.before(&file)?) }.unzip();
+        let (before, examined) = if self.quiet { None } else { Some(self.before(&file, rules)?) }.unzip();
         let observe = |pass: PassKind| progress.step(pass.name());
         let run = match examined {
             Some(examined) => pipeline.run_examined(examined, None, observe),
@@ -124,7 +124,7 @@ impl Repair {
         document.notes = file.notes;
         document.provenance = self.report_maps.then(|| ProvenanceDocument::new(&repaired.provenance));
         if !self.quiet || self.makes_json() {
-            document.after = Some(self.after(&mut repaired)?);
+            document.after = Some(self.after(&mut repaired, rules)?);
         }
         progress.step("write");
         let prepared = target.as_ref().map(|target| target.prepared(&repaired.mesh)).transpose()?;
@@ -190,18 +190,18 @@ impl Repair {
             .check()
     }
 
-    fn before(&self, file: &ReadFile) -> Result<(CheckDocument, Examined), Failure> {
-        let options = CheckOptions { view: View::usual_for(file.format), ..CheckOptions::default() };
+    fn before(&self, file: &ReadFile, rules: Rules) -> Result<(CheckDocument, Examined), Failure> {
+        let options = CheckOptions { view: View::usual_for(file.format), rules, ..CheckOptions::default() };
         let (report, examined) = check_before_repair(&file.mesh, &options)
             .map_err(|error| Failure::of_pass(&name(&self.input), &error))?;
         Ok((CheckDocument::new(report, self.limit).of_file(name(&self.input), file), examined))
     }
 
     /// The state after: what `recompute` found, or a check where the plan leaves that out.
-    fn after(&self, repaired: &mut Repaired) -> Result<CheckDocument, Failure> {
+    fn after(&self, repaired: &mut Repaired, rules: Rules) -> Result<CheckDocument, Failure> {
         let report = match repaired.report.take() {
-            Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology),
-            None => check(&repaired.mesh, &CheckOptions::default())
+            Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, rules),
+            None => check(&repaired.mesh, &CheckOptions { rules, ..CheckOptions::default() })
                 .map_err(|error| Failure::of_pass(&name(&self.input), &error))?,
         };
         Ok(CheckDocument::new(report, self.limit))

@@ -200,10 +200,24 @@ fn group(group: &DefectGroup) -> Vec<String> {
 fn placed(item: &PlacedDefect) -> String {
     let points: Vec<String> = item.positions.iter().take(MOST_POINTS).map(point).collect();
     let more = if item.positions.len() > MOST_POINTS { " …" } else { "" };
+    let faces = faces_round(item);
     if points.is_empty() {
-        item.defect.to_string()
+        format!("{}{faces}", item.defect)
     } else {
-        format!("{}, at {}{more}", item.defect, points.join(" "))
+        format!("{}, at {}{more}{faces}", item.defect, points.join(" "))
+    }
+}
+
+/// The faces along an edge or round a vertex; nothing where there are none, or none is to be shown.
+pub(super) fn faces_round(item: &PlacedDefect) -> String {
+    let Some(round) = &item.round else { return String::new() };
+    let names: Vec<String> = round.faces.iter().map(ToString::to_string).collect();
+    let hidden = round.face_count - round.faces.len() as u64;
+    match (names.len(), hidden) {
+        (0, _) => String::new(),
+        (1, 0) => format!("; face {}", names[0]),
+        (_, 0) => format!("; faces {}", names.join(" ")),
+        (_, hidden) => format!("; faces {} … and {hidden} more", names.join(" ")),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Words explained.
 
-use meshmend::{DefectKind, KernelKind, PassKind, Severity};
+use meshmend::{DefectKind, KernelKind, PassKind, Rules, Severity};
 
 use super::table;
 use super::{Style, paragraph};
@@ -28,13 +28,13 @@ pub(crate) fn explanation(heading: &str, text: &str, style: Style) -> String {
 }
 
 /// All words that can be explained.
-pub(crate) fn glossary(style: Style) -> String {
-    let severity = |kind: &DefectKind| match kind.severity() {
+pub(crate) fn glossary(rules: Rules, style: Style) -> String {
+    let severity = |kind: DefectKind| match kind.severity() {
         Severity::Defect => "defect".to_owned(),
         Severity::Note => "note".to_owned(),
     };
-    let kind = |kind: &DefectKind| vec![kind.code().to_owned(), severity(kind), kind.title().to_owned()];
-    let kinds: Vec<Vec<String>> = DefectKind::ALL.iter().map(kind).collect();
+    let kind = |kind: DefectKind| vec![kind.code().to_owned(), severity(kind), kind.title().to_owned()];
+    let kinds: Vec<Vec<String>> = rules.kinds().map(kind).collect();
     let passes = PassKind::ALL.iter().map(|pass| pass.name().to_owned());
     let kernels = KernelKind::ALL.iter().map(|kernel| kernel.name().to_owned());
     let page = [

@@ -7,6 +7,7 @@ use meshmend::report::{
 };
 use meshmend::topology::{GeneratorKind, Measure};
 
+use super::check::faces_round;
 use super::table::{self, Align};
 use super::{Style, paragraph, printable};
 
@@ -44,7 +45,7 @@ fn heading(place: usize, component: &ComponentLoops) -> String {
 
 fn rows(component: &ComponentLoops) -> Vec<String> {
     if let Some(obstacle) = &component.obstacle {
-        return vec![obstacle.defect.to_string()];
+        return vec![format!("{}{}", obstacle.defect, faces_round(obstacle))];
     }
     if component.loops.is_empty() {
         return vec!["every closed path bounds".to_owned()];

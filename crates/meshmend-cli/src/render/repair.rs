@@ -1,6 +1,6 @@
 //! What a repair did: before and after side by side, pass by pass, what went, what is left.
 
-use meshmend::core::counted;
+use meshmend::core::{Listed, counted};
 use meshmend::io::LossKind;
 use meshmend::repair::SeamFigures;
 use meshmend::report::{FigureChanges, NamedFace, PassDocument, RepairDocument};
@@ -112,19 +112,17 @@ fn pass(document: &PassDocument) -> Vec<String> {
 
 /// The items of what a pass left that the result no longer shows, with what could be done about it.
 fn named_one_by_one(document: &PassDocument) -> impl Iterator<Item = String> + '_ {
-    let kinds = [
-        (DefectKind::DifferingFace, ""),
-        (DefectKind::UnjudgedPatch, ""),
-        (DefectKind::TurnedCavity, "--orient outward-nested keeps the walls of cavities"),
-    ];
-    kinds.into_iter().filter_map(|(kind, hint)| Some((document.left.get(&kind)?, hint))).flat_map(
-        |(left, hint)| {
-            let hidden = left.count - left.items.len() as u64;
-            let more = (hidden > 0).then(|| format!("… and {hidden} more"));
-            let hint = (!hint.is_empty()).then(|| hint.to_owned());
-            left.items.iter().map(ToString::to_string).chain(more).chain(hint)
-        },
-    )
+    let in_record = |kind: &DefectKind| match kind.rule().listed {
+        Listed::InRecord { hint } => Some(hint),
+        _ => None,
+    };
+    let kinds = document.left.iter().filter_map(move |(kind, left)| Some((left, in_record(kind)?)));
+    kinds.flat_map(|(left, hint)| {
+        let hidden = left.count - left.items.len() as u64;
+        let more = (hidden > 0).then(|| format!("… and {hidden} more"));
+        let hint = (!hint.is_empty()).then(|| hint.to_owned());
+        left.items.iter().map(ToString::to_string).chain(more).chain(hint)
+    })
 }
 
 /// What cutting non-orientable patches open took.

@@ -75,8 +75,8 @@ impl PatchNamed {
     /// The patch as a defect, its lowest face having got a new number.
     pub(super) fn defect(&self, face: FaceId) -> Defect {
         match self.what {
-            What::Unjudged(reason) => Defect::UnjudgedPatch { face, faces: self.faces, reason },
-            What::TurnedCavity => Defect::TurnedCavity { face, faces: self.faces },
+            What::Unjudged(reason) => Defect::unjudged_patch(face, self.faces, reason),
+            What::TurnedCavity => Defect::turned_cavity(face, self.faces),
         }
     }
 }

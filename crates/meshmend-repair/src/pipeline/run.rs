@@ -223,11 +223,11 @@ impl Run {
 
 /// The face that a defect names, for the kinds that make a face go.
 fn removed_face(defect: &Defect) -> Option<FaceId> {
-    match *defect {
-        Defect::DegenerateFace { face }
-        | Defect::NonFiniteFace { face, .. }
-        | Defect::DuplicateFace { face, .. }
-        | Defect::OppositeFace { face, .. } => Some(face),
+    match defect.kind {
+        DefectKind::DegenerateFace
+        | DefectKind::NonFiniteFace
+        | DefectKind::DuplicateFace
+        | DefectKind::OppositeFace => defect.at.face(),
         _ => None,
     }
 }

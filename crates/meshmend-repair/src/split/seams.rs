@@ -41,7 +41,7 @@ pub(super) fn part_seams<K: Connectivity>(kernel: &K, matching: &mut Matching) -
 /// The edges that were cut, as what was wrong.
 pub(super) fn seam_edges<K: Connectivity>(kernel: &K, seam: &[Parted]) -> impl Iterator<Item = Defect> {
     let edges = seam.iter().map(|&(one, _)| kernel.corner_edge(one));
-    edges.map(|edge| Defect::SeamEdge { edge, ends: kernel.edge_ends(edge) })
+    edges.map(|edge| Defect::seam_edge(edge, kernel.edge_ends(edge)))
 }
 
 /// Vertices and the ends of edges that are cut, ascending, with what they are.

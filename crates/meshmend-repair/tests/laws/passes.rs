@@ -107,10 +107,8 @@ fn is_equal(one: &PolygonMesh, other: &PolygonMesh) -> bool {
 }
 
 fn joined_vertices(defect: &Defect) -> Option<(VertexId, VertexId)> {
-    match *defect {
-        Defect::CoincidentVertex { vertex, original } => Some((vertex, original)),
-        _ => None,
-    }
+    let is_joined = defect.kind == DefectKind::CoincidentVertex;
+    is_joined.then(|| Some((defect.at.vertex()?, defect.beside.as_ref()?.vertex()?))).flatten()
 }
 
 /// All laws of a pass alone.

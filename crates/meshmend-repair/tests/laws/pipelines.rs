@@ -1,6 +1,6 @@
 //! Passes in a row, with any options and in any order, on any mesh.
 
-use meshmend_core::{Defect, PolygonMesh};
+use meshmend_core::{Defect, DefectKind, PolygonMesh};
 use meshmend_repair::{
     AnyPass, Context, Emptying, History, NonOrientable, Orient, PassError, PassKind, Pipeline, Plan,
     Repaired, Side, SplitEdges, TriangulateFaces,
@@ -83,7 +83,8 @@ fn assert_lawful(pipeline: &Pipeline, mesh: &PolygonMesh) -> Option<Repaired> {
 
 /// Whether a vertex was joined to one in another place.
 fn joins_places(defect: &Defect, mesh: &PolygonMesh) -> bool {
-    matches!(*defect, Defect::CoincidentVertex { vertex, original } if mesh.position(vertex) != mesh.position(original))
+    let places = [Some(&defect.at), defect.beside.as_ref()].map(|at| Some(mesh.position(at?.vertex()?)));
+    defect.kind == DefectKind::CoincidentVertex && places[0] != places[1]
 }
 
 fn assert_same_mesh(one: &PolygonMesh, other: &PolygonMesh) {

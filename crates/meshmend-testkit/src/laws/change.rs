@@ -287,33 +287,37 @@ impl Named {
     fn of(mended: &[Defect]) -> Self {
         let mut named = Named::default();
         for defect in mended {
-            match *defect {
-                Defect::DegenerateFace { face }
-                | Defect::NonFiniteFace { face, .. }
-                | Defect::DuplicateFace { face, .. }
-                | Defect::OppositeFace { face, .. }
-                | Defect::NonSimpleFace { face, .. }
-                | Defect::FaceWithHole { face, .. }
-                | Defect::CrossingFace { face, .. }
-                | Defect::RepeatedCorner { face, .. } => {
-                    named.faces.entry(face).or_default().insert(defect.kind());
-                }
-                Defect::PolygonFace { face, .. } => {
-                    named.faces.entry(face).or_default().insert(defect.kind());
+            match defect.kind {
+                DefectKind::DegenerateFace
+                | DefectKind::NonFiniteFace
+                | DefectKind::DuplicateFace
+                | DefectKind::OppositeFace
+                | DefectKind::NonSimpleFace
+                | DefectKind::FaceWithHole
+                | DefectKind::CrossingFace
+                | DefectKind::RepeatedCorner => named.name_face(defect),
+                DefectKind::PolygonFace => {
+                    named.name_face(defect);
                     named.asks_for_vertices = true;
                 }
-                Defect::UnreferencedVertex { vertex } | Defect::CoincidentVertex { vertex, .. } => {
-                    named.gone_vertices.insert(vertex);
+                DefectKind::UnreferencedVertex | DefectKind::CoincidentVertex => {
+                    named.gone_vertices.extend(defect.at.vertex());
                 }
-                Defect::PinchedVertex { vertex, .. } | Defect::SingularVertex { vertex } => {
-                    named.parted_vertices.insert(vertex);
+                DefectKind::PinchedVertex | DefectKind::SingularVertex => {
+                    named.parted_vertices.extend(defect.at.vertex());
                 }
-                Defect::SeamEdge { ends, .. } => named.parted_vertices.extend(ends),
-                Defect::CoincidentEdges { .. } => named.asks_for_vertices = true,
+                DefectKind::SeamEdge => named.parted_vertices.extend(defect.at.ends().into_iter().flatten()),
+                DefectKind::CoincidentEdges => named.asks_for_vertices = true,
                 _ => {}
             }
         }
         named
+    }
+
+    fn name_face(&mut self, defect: &Defect) {
+        if let Some(face) = defect.at.face() {
+            self.faces.entry(face).or_default().insert(defect.kind);
+        }
     }
 }
 

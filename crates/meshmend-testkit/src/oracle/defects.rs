@@ -25,12 +25,12 @@ pub fn defects(mesh: &PolygonMesh) -> Vec<Defect> {
     for patch in patches::patches(&cells).iter().filter(|patch| !patches::is_orientable(&cells, patch)) {
         let strip = patches::witness(&cells, patch).expect("some edge contradicts the tree");
         let (faces, edges) = (strip.faces.into_iter().map(FaceId), strip.edges.into_iter().map(EdgeId));
-        found.push(Defect::NonOrientablePatch { faces: faces.collect(), edges: edges.collect() });
+        found.push(Defect::non_orientable_patch(faces.collect(), edges.collect()));
     }
     let edges = mesh.loose_edges().iter().zip(0..);
-    found.extend(edges.map(|(&ends, index)| Defect::LooseEdge { index, ends }));
+    found.extend(edges.map(|(&ends, index)| Defect::loose_edge(index, ends)));
     let points = mesh.loose_points().iter().zip(0..);
-    found.extend(points.map(|(&vertex, index)| Defect::LoosePoint { index, vertex }));
+    found.extend(points.map(|(&vertex, index)| Defect::loose_point(index, vertex)));
     found.sort_by(|one, other| one.kind().cmp(&other.kind()).then_with(|| one.cmp(other)));
     found
 }
@@ -51,23 +51,23 @@ fn of_face(soup: &Soup, cells: &Cells, f: usize) -> Vec<Defect> {
     let (stored, word, face) = (&soup.faces[f], &cells.faces[f], FaceId(f as u32));
     let mut found = Vec::new();
     if let Some(&v) = stored.iter().find(|v| !is_finite(soup, **v)) {
-        found.push(Defect::NonFiniteFace { face, vertex: VertexId(v) });
+        found.push(Defect::non_finite_face(face, VertexId(v)));
     }
     if word.is_empty() {
-        found.push(Defect::DegenerateFace { face });
+        found.push(Defect::degenerate_face(face));
         return found;
     }
     if word.len() > 3 {
-        found.push(Defect::PolygonFace { face, corners: word.len() as u32 });
+        found.push(Defect::polygon_face(face, word.len() as u32));
     }
     if let Some(i) = (0..word.len()).find(|&i| word[..i].contains(&word[i])) {
-        found.push(Defect::NonSimpleFace { face, vertex: VertexId(word[i]) });
+        found.push(Defect::non_simple_face(face, VertexId(word[i])));
     }
     let recurs = |list: &[u32], by: usize| {
         (0..list.len()).find(|&i| list[i] == list[(i + by) % list.len()]).map(|i| list[i])
     };
     if let Some(v) = recurs(stored, 1).or_else(|| recurs(word, 2)) {
-        found.push(Defect::RepeatedCorner { face, vertex: VertexId(v) });
+        found.push(Defect::repeated_corner(face, VertexId(v)));
     }
     found
 }
@@ -75,9 +75,9 @@ fn of_face(soup: &Soup, cells: &Cells, f: usize) -> Vec<Defect> {
 fn of_edge(cells: &Cells, e: usize) -> Option<Defect> {
     let (edge, ends) = (EdgeId(e as u32), cells.ends[e].map(VertexId));
     match cells.uses[e].len() {
-        1 => Some(Defect::BoundaryEdge { edge, ends }),
-        2 => cells.is_inconsistent(e).then_some(Defect::InconsistentEdge { edge, ends }),
-        degree => Some(Defect::NonManifoldEdge { edge, ends, degree: degree as u32 }),
+        1 => Some(Defect::boundary_edge(edge, ends)),
+        2 => cells.is_inconsistent(e).then_some(Defect::inconsistent_edge(edge, ends)),
+        degree => Some(Defect::non_manifold_edge(edge, ends, degree as u32)),
     }
 }
 
@@ -85,19 +85,19 @@ fn of_vertex(soup: &Soup, cells: &Cells, v: usize) -> Vec<Defect> {
     let (name, vertex) = (v as u32, VertexId(v as u32));
     let mut found = Vec::new();
     if !is_finite(soup, name) {
-        found.push(Defect::NonFiniteVertex { vertex });
+        found.push(Defect::non_finite_vertex(vertex));
     } else if let Some(low) = (0..v).find(|&low| soup.positions[low] == soup.positions[v]) {
-        found.push(Defect::CoincidentVertex { vertex, original: VertexId(low as u32) });
+        found.push(Defect::coincident_vertex(vertex, VertexId(low as u32)));
     }
     if !cells.referenced.contains(&name) {
-        found.push(Defect::UnreferencedVertex { vertex });
+        found.push(Defect::unreferenced_vertex(vertex));
         return found;
     }
     match vertex_kind(cells, name) {
         VertexKind::Disc | VertexKind::HalfDisc => {}
-        VertexKind::Singular => found.push(Defect::SingularVertex { vertex }),
+        VertexKind::Singular => found.push(Defect::singular_vertex(vertex)),
         VertexKind::Pinched { umbrellas, boundary_only } => {
-            found.push(Defect::PinchedVertex { vertex, umbrellas: umbrellas as u32, boundary_only });
+            found.push(Defect::pinched_vertex(vertex, umbrellas as u32, boundary_only));
         }
     }
     found
@@ -107,9 +107,8 @@ fn duplicates(cells: &Cells) -> Vec<Defect> {
     let (same, opposite) = cells.duplicates();
     let id = |f: usize| FaceId(f as u32);
     let first = |f: usize, way: Way| id((0..f).find(|&g| cells.are_alike(g, f, way)).expect("it is earlier"));
-    let same = same.into_iter().map(|f| Defect::DuplicateFace { face: id(f), original: first(f, Way::Same) });
-    let opposite =
-        opposite.into_iter().map(|f| Defect::OppositeFace { face: id(f), original: first(f, Way::Opposite) });
+    let same = same.into_iter().map(|f| Defect::duplicate_face(id(f), first(f, Way::Same)));
+    let opposite = opposite.into_iter().map(|f| Defect::opposite_face(id(f), first(f, Way::Opposite)));
     same.chain(opposite).collect()
 }
 

@@ -57,11 +57,11 @@ fn obstacles<K: Connectivity>(
     };
     for edge in kernel.edges().filter(|&edge| edge_class(kernel, edge) == EdgeClass::NonManifold) {
         let (ends, degree) = (kernel.edge_ends(edge), kernel.edge_degree(edge) as u32);
-        note(ends[0], Defect::NonManifoldEdge { edge, ends, degree });
+        note(ends[0], Defect::non_manifold_edge(edge, ends, degree));
     }
     for (vertex, &class) in classes.iter() {
         if let VertexClass::Pinched { umbrellas, boundary_only } = class {
-            note(vertex, Defect::PinchedVertex { vertex, umbrellas, boundary_only });
+            note(vertex, Defect::pinched_vertex(vertex, umbrellas, boundary_only));
         }
     }
     found

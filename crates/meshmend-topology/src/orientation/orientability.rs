@@ -28,7 +28,7 @@ pub struct OneSidedStrip {
 
 impl From<OneSidedStrip> for Defect {
     fn from(strip: OneSidedStrip) -> Self {
-        Defect::NonOrientablePatch { faces: strip.faces, edges: strip.edges }
+        Defect::non_orientable_patch(strip.faces, strip.edges)
     }
 }
 

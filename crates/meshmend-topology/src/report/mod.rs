@@ -1,10 +1,13 @@
-//! All questions asked at once, and where everything is that is wrong.
+//! All questions asked at once.
 
-mod defect_list;
+mod answers;
 mod topology_report;
+mod totals;
 
-pub use defect_list::DefectList;
+#[cfg(test)]
+mod tests;
+
+pub use answers::{topology, topology_with};
 pub use topology_report::{
-    DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness, topology,
-    topology_with,
+    DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness,
 };

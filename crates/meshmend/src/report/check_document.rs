@@ -102,7 +102,7 @@ impl DefectGroup {
             severity: kind.severity(),
             count: report.count(kind) as u64,
             items: items
-                .map(|defect| PlacedDefect::new(defect, &report.mesh).named_as_stored(report))
+                .map(|defect| PlacedDefect::new(defect, &report.mesh, limit).named_as_stored(report))
                 .collect(),
         }
     }
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn the_figures_are_keys_of_the_document() {
         let document = document(10);
-        assert_eq!((&document["schema"], &document["view"]), (&1.into(), &"indexed".into()));
+        assert_eq!((&document["schema"], &document["view"]), (&2.into(), &"indexed".into()));
         assert_eq!(document["vertices"], 8);
         assert_eq!(document["stored"]["faces"], 6);
         assert_eq!(document["betti"]["z2"], serde_json::json!([2, 1, 0]));

@@ -1,6 +1,6 @@
 //! Lists that are cut to a limit, and defects with the points at which they are.
 
-use meshmend_core::{Defect, PolygonMesh, VertexId};
+use meshmend_core::{Defect, Element, FaceId, PolygonMesh, VertexId};
 use serde::Serialize;
 
 use crate::CheckReport;
@@ -48,30 +48,42 @@ pub struct PlacedDefect {
     pub vertices: Vec<VertexId>,
     /// Where those are.
     pub positions: Vec<[f64; 3]>,
+    /// The faces along an edge or round a vertex; absent for other elements.
+    #[serde(flatten)]
+    pub round: Option<FacesRound>,
     /// The ends of each edge that the defect names by id alone: of those that a strip crosses.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub edge_ends: Vec<[VertexId; 2]>,
 }
 
-impl PlacedDefect {
-    /// The defect of a mesh with its place in that mesh.
-    pub fn new(defect: Defect, mesh: &PolygonMesh) -> Self {
-        let vertices: Vec<VertexId> = vertices(&defect, mesh);
-        PlacedDefect {
-            positions: vertices.iter().map(|&vertex| mesh.position(vertex)).collect(),
-            vertices,
-            edge_ends: match &defect {
-                Defect::NonOrientablePatch { edges, .. } => {
-                    edges.iter().map(|&edge| mesh.complex().edges().ends(edge)).collect()
-                }
-                _ => Vec::new(),
-            },
-            defect,
-        }
-    }
+/// The faces along an edge or round a vertex. A face that runs along the edge twice is one face.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct FacesRound {
+    /// How many there are in all.
+    pub face_count: u64,
+    /// The first of them by id, as many as the limit allows.
+    pub faces: Vec<FaceId>,
 }
 
 impl PlacedDefect {
+    /// The defect of a mesh with its place in that mesh, and at most `limit` of the faces round it.
+    ///
+    /// *Cost*: that of [`faces_round`](meshmend_core::Element::faces_round).
+    pub fn new(defect: Defect, mesh: &PolygonMesh, limit: usize) -> Self {
+        let vertices: Vec<VertexId> = defect.vertices(mesh, MOST_POSITIONS);
+        let crossed = match &defect.at {
+            Element::Strip(strip) => strip.edges.as_slice(),
+            _ => &[],
+        };
+        PlacedDefect {
+            positions: vertices.iter().map(|&vertex| mesh.position(vertex)).collect(),
+            vertices,
+            round: defect.at.faces_round(mesh).map(|faces| FacesRound::cut(faces, limit)),
+            edge_ends: crossed.iter().map(|&edge| mesh.complex().edges().ends(edge)).collect(),
+            defect,
+        }
+    }
+
     /// The defect with the numbers that its vertices have as stored.
     pub(crate) fn named_as_stored(mut self, report: &CheckReport) -> Self {
         let name = |vertex: VertexId| report.stored_vertex(vertex);
@@ -81,97 +93,91 @@ impl PlacedDefect {
     }
 }
 
-fn vertices(defect: &Defect, mesh: &PolygonMesh) -> Vec<VertexId> {
-    match defect {
-        Defect::DegenerateFace { face }
-        | Defect::NonSimpleFace { face, .. }
-        | Defect::FaceWithHole { face, .. }
-        | Defect::CrossingFace { face, .. }
-        | Defect::RepeatedCorner { face, .. }
-        | Defect::DuplicateFace { face, .. }
-        | Defect::OppositeFace { face, .. }
-        | Defect::DifferingFace { face, .. }
-        | Defect::PolygonFace { face, .. }
-        | Defect::NonFiniteFace { face, .. }
-        | Defect::UnjudgedPatch { face, .. }
-        | Defect::TurnedCavity { face, .. } => {
-            mesh.faces().face_vertices(*face).iter().copied().take(MOST_POSITIONS).collect()
-        }
-        Defect::BoundaryEdge { ends, .. }
-        | Defect::NonManifoldEdge { ends, .. }
-        | Defect::InconsistentEdge { ends, .. }
-        | Defect::SeamEdge { ends, .. }
-        | Defect::CoincidentEdges { ends }
-        | Defect::LooseEdge { ends, .. } => ends.to_vec(),
-        Defect::CoincidentVertex { vertex, original } => vec![*vertex, *original],
-        Defect::PinchedVertex { vertex, .. }
-        | Defect::SingularVertex { vertex }
-        | Defect::NonFiniteVertex { vertex }
-        | Defect::UnreferencedVertex { vertex }
-        | Defect::LoosePoint { vertex, .. } => vec![*vertex],
-        Defect::NonOrientablePatch { faces, .. } => {
-            let firsts = faces.iter().filter_map(|&face| mesh.faces().face_vertices(face).first().copied());
-            firsts.take(MOST_POSITIONS).collect()
-        }
+impl FacesRound {
+    fn cut(mut faces: Vec<FaceId>, limit: usize) -> Self {
+        let face_count = faces.len() as u64;
+        faces.truncate(limit);
+        FacesRound { face_count, faces }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
-
-    use meshmend_core::{DefectKind, Differences, EdgeId, FaceId, FaceTable, PolygonMesh, Unjudged};
+    use meshmend_core::{DefectKind, Differences, EdgeId, FaceTable, Unjudged};
 
     use super::*;
 
-    #[test]
-    fn every_defect_is_where_its_vertices_are() {
+    fn mesh() -> PolygonMesh {
         let positions: Vec<[f64; 3]> = (0..6).map(|i| [f64::from(i), 0.0, 0.0]).collect();
         let corners = [0, 1, 2, 3, 4, 5].map(VertexId).to_vec();
-        let mesh = PolygonMesh::new(positions, FaceTable::triangles(6, corners).unwrap()).unwrap();
+        PolygonMesh::new(positions, FaceTable::triangles(6, corners).unwrap()).unwrap()
+    }
+
+    /// A defect of each kind, with the vertices at which it is.
+    fn cases() -> Vec<(Defect, Vec<u32>)> {
         let (face, edge, original, vertex) = (FaceId(1), EdgeId(0), VertexId(0), VertexId(4));
         let (whole_face, ends) = (vec![3, 4, 5], [VertexId(1), VertexId(2)]);
-        let pinched = Defect::PinchedVertex { vertex, umbrellas: 2, boundary_only: true };
-        let strip = Defect::NonOrientablePatch { faces: vec![FaceId(0), face], edges: vec![edge] };
-        let cases = [
-            (Defect::DegenerateFace { face }, whole_face.clone()),
-            (Defect::NonSimpleFace { face, vertex }, whole_face.clone()),
-            (Defect::FaceWithHole { face, vertex }, whole_face.clone()),
-            (Defect::CrossingFace { face, vertex }, whole_face.clone()),
-            (Defect::RepeatedCorner { face, vertex }, whole_face.clone()),
-            (Defect::DuplicateFace { face, original: FaceId(0) }, whole_face.clone()),
-            (Defect::OppositeFace { face, original: FaceId(0) }, whole_face.clone()),
-            (
-                Defect::DifferingFace { face, original: FaceId(0), differs: Differences::default() },
-                whole_face.clone(),
-            ),
-            (Defect::PolygonFace { face, corners: 4 }, whole_face.clone()),
-            (Defect::UnjudgedPatch { face, faces: 1, reason: Unjudged::Open }, whole_face.clone()),
-            (Defect::TurnedCavity { face, faces: 1 }, whole_face.clone()),
-            (Defect::NonFiniteFace { face, vertex }, whole_face),
-            (Defect::BoundaryEdge { edge, ends }, vec![1, 2]),
-            (Defect::NonManifoldEdge { edge, ends, degree: 3 }, vec![1, 2]),
-            (Defect::InconsistentEdge { edge, ends }, vec![1, 2]),
-            (Defect::SeamEdge { edge, ends }, vec![1, 2]),
-            (Defect::CoincidentEdges { ends }, vec![1, 2]),
-            (Defect::LooseEdge { index: 0, ends }, vec![1, 2]),
-            (Defect::CoincidentVertex { vertex, original }, vec![4, 0]),
-            (pinched, vec![4]),
-            (Defect::SingularVertex { vertex }, vec![4]),
-            (Defect::NonFiniteVertex { vertex }, vec![4]),
-            (Defect::UnreferencedVertex { vertex }, vec![4]),
-            (Defect::LoosePoint { index: 0, vertex }, vec![4]),
+        let strip = Defect::non_orientable_patch(vec![FaceId(0), face], vec![edge]);
+        vec![
+            (Defect::degenerate_face(face), whole_face.clone()),
+            (Defect::non_simple_face(face, vertex), whole_face.clone()),
+            (Defect::face_with_hole(face, vertex), whole_face.clone()),
+            (Defect::crossing_face(face, vertex), whole_face.clone()),
+            (Defect::repeated_corner(face, vertex), whole_face.clone()),
+            (Defect::duplicate_face(face, FaceId(0)), whole_face.clone()),
+            (Defect::opposite_face(face, FaceId(0)), whole_face.clone()),
+            (Defect::differing_face(face, FaceId(0), Differences::default()), whole_face.clone()),
+            (Defect::polygon_face(face, 4), whole_face.clone()),
+            (Defect::unjudged_patch(face, 1, Unjudged::Open), whole_face.clone()),
+            (Defect::turned_cavity(face, 1), whole_face.clone()),
+            (Defect::non_finite_face(face, vertex), whole_face),
+            (Defect::boundary_edge(edge, ends), vec![1, 2]),
+            (Defect::non_manifold_edge(edge, ends, 3), vec![1, 2]),
+            (Defect::inconsistent_edge(edge, ends), vec![1, 2]),
+            (Defect::seam_edge(edge, ends), vec![1, 2]),
+            (Defect::coincident_edges(ends), vec![1, 2]),
+            (Defect::loose_edge(0, ends), vec![1, 2]),
+            (Defect::coincident_vertex(vertex, original), vec![4, 0]),
+            (Defect::pinched_vertex(vertex, 2, true), vec![4]),
+            (Defect::singular_vertex(vertex), vec![4]),
+            (Defect::non_finite_vertex(vertex), vec![4]),
+            (Defect::unreferenced_vertex(vertex), vec![4]),
+            (Defect::loose_point(0, vertex), vec![4]),
             (strip, vec![0, 3]),
-        ];
-        let kinds: BTreeSet<DefectKind> = cases.iter().map(|(defect, _)| defect.kind()).collect();
-        assert_eq!(kinds.len(), DefectKind::ALL.len());
+        ]
+    }
+
+    #[test]
+    fn every_defect_is_where_its_vertices_are() {
+        let (mesh, cases) = (mesh(), cases());
         for (defect, expected) in cases {
-            let placed = PlacedDefect::new(defect, &mesh);
+            let placed = PlacedDefect::new(defect, &mesh, 1);
             assert_eq!(placed.vertices.iter().map(|v| v.0).collect::<Vec<_>>(), expected, "{placed:?}");
             let at: Vec<[f64; 3]> = expected.iter().map(|&v| [f64::from(v), 0.0, 0.0]).collect();
             assert_eq!(placed.positions, at);
+            let is_surrounded = matches!(placed.defect.at, Element::Vertex(_) | Element::Edge { .. });
+            assert_eq!(placed.round.is_some(), is_surrounded, "{placed:?}");
             let crosses_edges = placed.defect.kind() == DefectKind::NonOrientablePatch;
             assert_eq!(placed.edge_ends.len(), usize::from(crosses_edges));
         }
+    }
+
+    /// What is said of the keys in `docs/json.md`, as a row for each kind.
+    #[test]
+    fn the_page_on_the_form_names_the_keys_of_every_kind() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/json.md");
+        let Ok(page) = std::fs::read_to_string(path) else {
+            println!("skipped: there is no {path}");
+            return;
+        };
+        let common = ["kind", "element", "message", "vertices", "positions"];
+        let rows = cases().into_iter().map(|(defect, _)| {
+            let item = serde_json::to_value(PlacedDefect::new(defect, &mesh(), 1)).unwrap();
+            let keys = item.as_object().unwrap().keys().filter(|key| !common.contains(&key.as_str()));
+            let keys: Vec<String> = keys.map(|key| format!("`{key}`")).collect();
+            format!("| {} | {} |", item["kind"].as_str().unwrap(), keys.join(", "))
+        });
+        let missing: Vec<String> = rows.filter(|row| !page.contains(row)).collect();
+        assert!(missing.is_empty(), "{}", missing.join("\n"));
     }
 }

@@ -8,7 +8,7 @@ use meshmend_topology::{
 };
 use serde::Serialize;
 
-use super::{BeforeAndAfter, Listing, PlacedDefect, SCHEMA};
+use super::{BeforeAndAfter, Listing, MOST_POSITIONS, PlacedDefect, SCHEMA};
 use crate::{CutReport, LoopReport, StoredCounts};
 
 /// How many vertices the paths of a document have together at most. Those of a mesh can have as many as the square of
@@ -148,7 +148,7 @@ impl LoopsDocument {
 impl ComponentLoops {
     fn new(report: &LoopReport, component: &ComponentGenerators, room: &mut usize) -> Self {
         let (system, generators) = (component.system, &report.generators);
-        let placed = |defect: &_| PlacedDefect::new(Clone::clone(defect), &report.mesh);
+        let placed = |defect: &_| PlacedDefect::new(Clone::clone(defect), &report.mesh, MOST_POSITIONS);
         ComponentLoops {
             name: system.map(|system| surface_name(system.surface)),
             obstacle: component.obstacle.as_ref().map(placed),

@@ -27,7 +27,7 @@ mod unfold_document;
 pub use check_document::{CheckDocument, DefectGroup};
 pub use incremental_document::{IncrementalDocument, RunningStep};
 pub use kernels_document::{KernelTrial, KernelsDocument};
-pub use listing::{Listing, MOST_POSITIONS, PlacedDefect};
+pub use listing::{FacesRound, Listing, MOST_POSITIONS, PlacedDefect};
 pub use loops_document::{
     ComponentLoops, CutComponent, CutDocument, LoopDocument, LoopsDocument, MOST_PATH_VERTICES, SeamDocument,
 };
@@ -40,7 +40,7 @@ use serde::Serialize;
 pub use unfold_document::UnfoldDocument;
 
 /// The number of the form that documents have; it changes when a key changes its meaning or goes.
-pub const SCHEMA: u32 = 1;
+pub const SCHEMA: u32 = 2;
 
 /// A document as one line of JSON with sorted keys. A number that is not finite becomes `null`.
 ///

@@ -58,7 +58,7 @@ fn a_true_record_keeps_all_laws() {
     });
     assert_eq!(all_laws(&square(), &flipped, &[]), Ok(()));
     let removed = changed(&[&[2, 1, 3]], [&[1], &[3, 4, 5]], |_| {});
-    let mended = [Defect::DuplicateFace { face: FaceId(0), original: FaceId(1) }];
+    let mended = [Defect::duplicate_face(FaceId(0), FaceId(1))];
     assert_eq!(all_laws(&square(), &removed, &mended), Ok(()));
 }
 
@@ -88,14 +88,14 @@ fn a_corner_of_another_face_or_another_vertex_is_found() {
 fn what_goes_without_a_word_is_found() {
     let removed = changed(&[&[2, 1, 3]], [&[1], &[3, 4, 5]], |_| {});
     finds(all_laws(&square(), &removed, &[]), "removed faces");
-    let polygon = [Defect::PolygonFace { face: FaceId(0), corners: 4 }];
+    let polygon = [Defect::polygon_face(FaceId(0), 4)];
     finds(all_laws(&square(), &removed, &polygon), "removed faces");
     let cut = changed(&[&[0, 1], &[2, 1, 3]], [&[0, 1], &[0, 1, 3, 4, 5]], |_| {});
     finds(all_laws(&square(), &cut, &[]), "not all of f0");
-    let there = [Defect::DegenerateFace { face: FaceId(1) }];
+    let there = [Defect::degenerate_face(FaceId(1))];
     let same = changed(&[&[0, 1, 2], &[2, 1, 3]], [&[0, 1], &[0, 1, 2, 3, 4, 5]], |_| {});
     finds(all_laws(&square(), &same, &there), "is there");
-    let unnamed = [Defect::UnreferencedVertex { vertex: VertexId(4) }];
+    let unnamed = [Defect::unreferenced_vertex(VertexId(4))];
     finds(all_laws(&square(), &same, &unnamed), "being gone of v4");
 }
 
@@ -112,7 +112,7 @@ fn a_vertex_that_is_there_twice_needs_a_reason() {
     parted(&mut draft);
     let split = mesh.rebuild(draft).unwrap();
     finds(all_laws(&mesh, &split, &[]), "v1 is there 2 times");
-    let pinched = Defect::PinchedVertex { vertex: VertexId(1), umbrellas: 2, boundary_only: true };
+    let pinched = Defect::pinched_vertex(VertexId(1), 2, true);
     assert_eq!(all_laws(&mesh, &split, &[pinched]), Ok(()));
 }
 

@@ -1,0 +1,201 @@
+//! One thing that is wrong, as data.
+
+use std::fmt;
+
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use super::{DefectKind, Element};
+use crate::{Differences, VertexId, counted};
+
+/// One thing that is wrong, with its place.
+///
+/// ```
+/// use meshmend_core::{Defect, DefectKind, EdgeId, Element, VertexId};
+///
+/// let defect = Defect::non_manifold_edge(EdgeId(7), [VertexId(3), VertexId(4)], 3);
+/// assert_eq!((defect.kind, defect.count), (DefectKind::NonManifoldEdge, 3));
+/// assert_eq!(defect.at.ends(), Some([VertexId(3), VertexId(4)]));
+/// assert_eq!(defect.to_string(), "e7 v3-v4 has 3 sides");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Defect {
+    /// What kind of thing is wrong.
+    pub kind: DefectKind,
+    /// Where it is.
+    pub at: Element,
+    /// The element beside which that one is wrong: the face that it repeats, the vertex at whose place it is.
+    pub beside: Option<Element>,
+    /// How many there are of what the kind counts, such as sides or corners; 0 where it counts nothing.
+    pub count: u32,
+    /// What else some kinds tell.
+    pub detail: Detail,
+}
+
+/// What some kinds of defect tell beside elements and a count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Detail {
+    /// Nothing.
+    None,
+    /// Whether all umbrellas of a vertex are open fans.
+    BoundaryOnly(bool),
+    /// In what a face differs from the one that it repeats.
+    Differs(Differences),
+    /// Why a patch was not judged.
+    Unjudged(Unjudged),
+}
+
+/// Why it can't be told which side of a patch is the outer one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unjudged {
+    /// The patch has a boundary.
+    Open,
+    /// The patch encloses no volume, or none that rounding could not have made.
+    NoVolume,
+}
+
+impl Defect {
+    /// A defect of a kind at an element.
+    pub fn new(kind: DefectKind, at: Element) -> Self {
+        Defect { kind, at, beside: None, count: 0, detail: Detail::None }
+    }
+
+    /// The defect beside another element.
+    #[must_use]
+    pub fn beside(self, element: Element) -> Self {
+        Defect { beside: Some(element), ..self }
+    }
+
+    /// The defect with how many there are of what its kind counts.
+    #[must_use]
+    pub fn counting(self, count: u32) -> Self {
+        Defect { count, ..self }
+    }
+
+    pub(super) fn with(self, detail: Detail) -> Self {
+        Defect { detail, ..self }
+    }
+
+    /// What kind of defect this is.
+    pub fn kind(&self) -> DefectKind {
+        self.kind
+    }
+
+    /// The defect with other names for its vertices: those of another numbering of the same mesh.
+    #[must_use]
+    pub fn with_vertices(self, name: impl Fn(VertexId) -> VertexId) -> Self {
+        let beside = self.beside.map(|element| element.with_vertices(&name));
+        Defect { at: self.at.with_vertices(name), beside, ..self }
+    }
+
+    /// What a place holder in a rule's sentence stands for; `None` if it stands for nothing that the defect has.
+    fn word(&self, name: &str) -> Option<String> {
+        match name {
+            "at" => Some(self.at.to_string()),
+            "beside" => self.beside.as_ref().map(ToString::to_string),
+            "face" => self.at.face().map(|face| face.to_string()),
+            "vertex" => self.at.vertex().map(|vertex| vertex.to_string()),
+            "ends" => self.at.ends().map(|[a, b]| format!("{a}-{b}")),
+            "count" => Some(self.count.to_string()),
+            "faces" => Some(counted(self.count, "face")),
+            "detail" => Some(self.detail.to_string()),
+            _ => None,
+        }
+    }
+}
+
+/// The sentence of the kind's rule, about this defect.
+impl fmt::Display for Defect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut rest = self.kind.rule().sentence;
+        while let Some((text, (name, after))) =
+            rest.split_once('{').and_then(|(text, after)| Some((text, after.split_once('}')?)))
+        {
+            f.write_str(text)?;
+            f.write_str(&self.word(name).unwrap_or_else(|| format!("{{{name}}}")))?;
+            rest = after;
+        }
+        f.write_str(rest)
+    }
+}
+
+impl fmt::Display for Detail {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Detail::None | Detail::BoundaryOnly(false) => Ok(()),
+            Detail::BoundaryOnly(true) => f.write_str(", all open"),
+            Detail::Differs(differs) => write!(f, "{differs}"),
+            Detail::Unjudged(Unjudged::Open) => f.write_str("is open"),
+            Detail::Unjudged(Unjudged::NoVolume) => f.write_str("encloses no volume"),
+        }
+    }
+}
+
+/// One flat map: the kind, the keys of the element, what is beside it as a map of its own, the count under the name that
+/// the rule gives it, and the sentence as `message`.
+impl Serialize for Defect {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("kind", &self.kind)?;
+        self.at.serialize_into(&mut map)?;
+        if let Some(beside) = &self.beside {
+            map.serialize_entry("beside", &Beside(beside))?;
+        }
+        if let Some(name) = self.kind.rule().counts {
+            map.serialize_entry(name, &self.count)?;
+        }
+        match &self.detail {
+            Detail::None => {}
+            Detail::BoundaryOnly(answer) => map.serialize_entry("boundary_only", answer)?,
+            Detail::Differs(differs) => map.serialize_entry("differs", differs)?,
+            Detail::Unjudged(reason) => map.serialize_entry("reason", reason)?,
+        }
+        map.serialize_entry("message", &self.to_string())?;
+        map.end()
+    }
+}
+
+struct Beside<'a>(&'a Element);
+
+impl Serialize for Beside<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        self.0.serialize_into(&mut map)?;
+        map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{EdgeId, FaceId};
+
+    #[test]
+    fn a_defect_is_small_as_there_can_be_millions() {
+        assert!(size_of::<Defect>() <= 56, "{}", size_of::<Defect>());
+    }
+
+    #[test]
+    fn the_serialised_form_has_the_keys_of_its_element() {
+        let ends = [VertexId(1), VertexId(4)];
+        let edge = serde_json::to_value(Defect::non_manifold_edge(EdgeId(2), ends, 3)).unwrap();
+        let message = "e2 v1-v4 has 3 sides";
+        let expected = serde_json::json!({
+            "kind": "non-manifold-edge", "element": "edge", "edge": 2, "ends": [1, 4], "degree": 3, "message": message,
+        });
+        assert_eq!(edge, expected);
+        let repeat = serde_json::to_value(Defect::duplicate_face(FaceId(3), FaceId(0))).unwrap();
+        assert_eq!(repeat["beside"], serde_json::json!({"element": "face", "face": 0}));
+    }
+
+    #[test]
+    fn other_names_are_given_to_all_vertices() {
+        let far = |vertex: VertexId| VertexId(vertex.0 + 10);
+        let joined = Defect::coincident_vertex(VertexId(1), VertexId(0)).with_vertices(far);
+        assert_eq!(joined, Defect::coincident_vertex(VertexId(11), VertexId(10)));
+        let corner = Defect::non_simple_face(FaceId(1), VertexId(2)).with_vertices(far);
+        assert_eq!(corner, Defect::non_simple_face(FaceId(1), VertexId(12)));
+    }
+}
