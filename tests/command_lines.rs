@@ -29,7 +29,8 @@ fn good(argument: &Arg) -> (String, bool) {
         (_, "X,Y,Z") => ("1,-2,3", false),
         (_, "SHAPE") => ("torus", false),
         (_, "DISTANCE") => ("1%", false),
-        (_, "KIND") => ("degenerate-face", false),
+        // Which kinds there are hangs on the rules of the program, which judges the word itself.
+        (_, "KIND") => ("degenerate-face", true),
         (_, "FORMAT") => ("ply", false),
         ("kernel", _) => ("edge-use", false),
         (id, place) => panic!("which value does {id} {place} take?"),
