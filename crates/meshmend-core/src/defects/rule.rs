@@ -53,7 +53,7 @@ pub type Defects<'a> = Box<dyn Iterator<Item = Defect> + 'a>;
 pub enum Found {
     /// The survey of all faces, edges and vertices that makes the topology report, which keeps them all.
     InSurvey,
-    /// A function of the mesh, when a check is asked for them.
+    /// A function of the mesh, when a check is asked for them. The elements that it names are the mesh's.
     InMesh(for<'a> fn(&'a PolygonMesh) -> Defects<'a>),
     /// A comparison of all positions, as an exact weld makes it.
     ByWelding,

@@ -56,6 +56,7 @@ impl Answers {
         let Answers { edges, faces, components, patches, facts, defects, betti, witness, is_least } = self;
         let count = |kind: DefectKind| defects.count(kind) as u64;
         let vertices = components.referenced_vertices() as u64;
+        let elements = [vertices, edges, faces];
         let (boundary_edges, non_manifold_edges) =
             (count(DefectKind::BoundaryEdge), count(DefectKind::NonManifoldEdge));
         let totals = SurfaceTotals::of(facts.values());
@@ -98,11 +99,7 @@ impl Answers {
             cross_caps: totals.cross_caps,
             betti,
             betti_unknown,
-            instigators: instigators(
-                [vertices, edges, faces],
-                components.count() as u64,
-                betti.z2.map(|b| b[2]),
-            ),
+            instigators: instigators(elements, components.count() as u64, betti.z2.map(|b| b[2])),
             component_kinds: component_kinds(&components, &facts),
             witness,
             undefined,
