@@ -1,6 +1,7 @@
 //! Meshes on which careless code is quadratic.
 
 use meshmend_core::{Carry, Domain, Layer, Metadata, PolygonMesh, Values};
+use meshmend_io::{Format, Limits, ReadFile, ReadOptions, Shell, read_bytes};
 use meshmend_testkit::Soup;
 use meshmend_testkit::shapes::{
     Tiles, annulus, book, duplicate_chain, fan, foam, nested_pages, out_and_back, polygon, strip, umbrellas,
@@ -10,43 +11,68 @@ use meshmend_testkit::shapes::{
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Family {
     pub(crate) name: &'static str,
-    make: fn(usize) -> PolygonMesh,
+    make: Make,
+}
+
+/// What the meshes of a family come from.
+#[derive(Clone, Copy, Debug)]
+enum Make {
+    Mesh(fn(usize) -> PolygonMesh),
+    /// A PLY file, whose shape is kept beside the mesh.
+    Ply(fn(usize) -> String),
 }
 
 impl Family {
-    /// The mesh of about so many faces, or corners of one face.
-    pub(crate) fn mesh(&self, size: usize) -> PolygonMesh {
-        (self.make)(size)
+    /// The mesh of about so many faces, or corners of one face, and what the file that it comes from has round it.
+    pub(crate) fn mesh(&self, size: usize) -> (PolygonMesh, Shell) {
+        match self.make {
+            Make::Mesh(make) => (make(size), Shell::default()),
+            Make::Ply(make) => {
+                let file = read_any(make(size).as_bytes(), Format::Ply);
+                (file.mesh, file.shell)
+            }
+        }
     }
+}
+
+/// Reads a file of any number of names and comments.
+pub(crate) fn read_any(bytes: &[u8], format: Format) -> ReadFile {
+    let limits = Limits { max_declarations: u64::MAX, max_comments: usize::MAX, ..Limits::default() };
+    let options = ReadOptions { format: Some(format), limits };
+    read_bytes(bytes, "mesh", &options).expect("what was written can be read")
 }
 
 /// Every family.
 pub(crate) const FAMILIES: &[Family] = &[
-    Family { name: "book", make: |n| book(n).soup.mesh() },
-    Family { name: "nested pages", make: |n| nested_pages(n / 3).soup.mesh() },
-    Family { name: "fan", make: |n| fan(n).soup.mesh() },
-    Family { name: "umbrellas", make: |n| umbrellas(n / 4).soup.mesh() },
-    Family { name: "strip", make: |n| strip(n).soup.mesh() },
-    Family { name: "every face twice", make: |n| repeated(strip(n / 2).soup, 2).mesh() },
-    Family { name: "one face many times", make: |n| repeated(strip(1).soup, n).mesh() },
-    Family { name: "chain of duplicates", make: |n| duplicate_chain(n / 5).soup.mesh() },
-    Family { name: "huge face", make: |n| polygon(n).soup.mesh() },
-    Family { name: "comb", make: |n| comb(n).mesh() },
-    Family { name: "face that crosses itself", make: |n| one_face(scattered(n)).mesh() },
-    Family { name: "face that comes back", make: |n| flower(n).mesh() },
-    Family { name: "out and back", make: |n| out_and_back(n / 2).soup.mesh() },
-    Family { name: "huge holes", make: |n| annulus(n / 2, 1, Tiles::Triangles).soup.mesh() },
-    Family { name: "foam", make: |n| cubic_foam(n).mesh() },
-    Family { name: "shells apart", make: |n| shells(n / 4, apart).mesh() },
-    Family { name: "shells in a row", make: |n| shells(n / 4, in_a_row).mesh() },
-    Family { name: "shells one in the other", make: |n| shells(n / 4, nested).mesh() },
-    Family { name: "bubbles", make: |n| bubbles(n).mesh() },
-    Family { name: "triangles apart", make: |n| triangles_apart(n).mesh() },
-    Family { name: "stack", make: |n| stack(n).mesh() },
-    Family { name: "layers of vertices", make: |n| layered(n, Domain::Vertex) },
-    Family { name: "layers of faces", make: |n| layered(n, Domain::Face) },
-    Family { name: "names of faces", make: named_faces },
-    Family { name: "comments", make: commented },
+    Family { name: "book", make: Make::Mesh(|n| book(n).soup.mesh()) },
+    Family { name: "nested pages", make: Make::Mesh(|n| nested_pages(n / 3).soup.mesh()) },
+    Family { name: "fan", make: Make::Mesh(|n| fan(n).soup.mesh()) },
+    Family { name: "umbrellas", make: Make::Mesh(|n| umbrellas(n / 4).soup.mesh()) },
+    Family { name: "strip", make: Make::Mesh(|n| strip(n).soup.mesh()) },
+    Family { name: "every face twice", make: Make::Mesh(|n| repeated(strip(n / 2).soup, 2).mesh()) },
+    Family { name: "one face many times", make: Make::Mesh(|n| repeated(strip(1).soup, n).mesh()) },
+    Family { name: "chain of duplicates", make: Make::Mesh(|n| duplicate_chain(n / 5).soup.mesh()) },
+    Family { name: "huge face", make: Make::Mesh(|n| polygon(n).soup.mesh()) },
+    Family { name: "comb", make: Make::Mesh(|n| comb(n).mesh()) },
+    Family { name: "face that crosses itself", make: Make::Mesh(|n| one_face(scattered(n)).mesh()) },
+    Family { name: "face that comes back", make: Make::Mesh(|n| flower(n).mesh()) },
+    Family { name: "out and back", make: Make::Mesh(|n| out_and_back(n / 2).soup.mesh()) },
+    Family { name: "huge holes", make: Make::Mesh(|n| annulus(n / 2, 1, Tiles::Triangles).soup.mesh()) },
+    Family { name: "foam", make: Make::Mesh(|n| cubic_foam(n).mesh()) },
+    Family { name: "shells apart", make: Make::Mesh(|n| shells(n / 4, apart).mesh()) },
+    Family { name: "shells in a row", make: Make::Mesh(|n| shells(n / 4, in_a_row).mesh()) },
+    Family { name: "shells one in the other", make: Make::Mesh(|n| shells(n / 4, nested).mesh()) },
+    Family { name: "bubbles", make: Make::Mesh(|n| bubbles(n).mesh()) },
+    Family { name: "triangles apart", make: Make::Mesh(|n| triangles_apart(n).mesh()) },
+    Family { name: "stack", make: Make::Mesh(|n| stack(n).mesh()) },
+    Family { name: "layers of vertices", make: Make::Mesh(|n| layered(n, Domain::Vertex)) },
+    Family { name: "layers of faces", make: Make::Mesh(|n| layered(n, Domain::Face)) },
+    Family { name: "names of faces", make: Make::Mesh(named_faces) },
+    Family { name: "comments", make: Make::Mesh(commented) },
+    Family { name: "properties of vertices", make: Make::Ply(|n| declared(n, "vertex")) },
+    Family { name: "properties of faces", make: Make::Ply(|n| declared(n, "face")) },
+    Family { name: "properties of rows", make: Make::Ply(|n| declared(n, "thing")) },
+    Family { name: "elements", make: Make::Ply(elements) },
 ];
 
 fn repeated(soup: Soup, times: usize) -> Soup {
@@ -191,4 +217,38 @@ fn commented(count: usize) -> PolygonMesh {
     let comment =
         |at: usize| Metadata { key: "comment".to_owned(), value: format!("comment {at}").into_bytes() };
     strip(count).soup.mesh().with_metadata((0..count).map(comment).collect())
+}
+
+/// The header of a triangle, up to where more may be declared of an element.
+const TRIANGLE: [(&str, &str); 3] = [
+    ("vertex", "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"),
+    ("face", "element face 1\nproperty list uchar int vertex_indices\n"),
+    ("thing", "element thing 1\nproperty int first\n"),
+];
+
+/// A triangle with so many properties of one of its elements, each after a comment.
+fn declared(count: usize, element: &str) -> String {
+    let properties: String =
+        (0..count).map(|at| format!("comment {at}\nproperty uchar quality{at}\n")).collect();
+    let head = TRIANGLE.map(|(name, declaration)| {
+        let more = if name == element { &properties[..] } else { "" };
+        format!("{declaration}{more}")
+    });
+    let values = " 7".repeat(count);
+    let of = |name: &str| if name == element { &values[..] } else { "" };
+    let (vertex, face, thing) = (of("vertex"), of("face"), of("thing"));
+    format!(
+        "ply\nformat ascii 1.0\n{}end_header\n0 0 0{vertex}\n1 0 0{vertex}\n0 1 0{vertex}\n3 0 1 2{face}\n5{thing}\n",
+        head.concat()
+    )
+}
+
+/// A triangle and so many elements of unknown meaning, each after a comment.
+fn elements(count: usize) -> String {
+    let elements: String = (0..count)
+        .map(|at| format!("comment {at}\nelement thing{at} 1\nproperty int face_index\n"))
+        .collect();
+    let head = TRIANGLE.map(|(_, declaration)| declaration).concat();
+    let rows = "0\n".repeat(count);
+    format!("ply\nformat ascii 1.0\n{head}{elements}end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n5\n{rows}")
 }

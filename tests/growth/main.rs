@@ -76,8 +76,8 @@ fn measured(words: &[String]) -> bool {
     let [family, size, work] = words else { return true };
     let family = FAMILIES.iter().find(|known| known.name == family);
     let (Some(family), Ok(size), Some(work)) = (family, size.parse(), Work::named(work)) else { return true };
-    let mesh = family.mesh(size);
-    work.run(&mesh);
+    let (mesh, shell) = family.mesh(size);
+    work.run(&mesh, &shell);
     cost::print(&mesh, &ALLOCATOR);
     true
 }

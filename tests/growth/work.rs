@@ -1,13 +1,15 @@
 //! What is done with a mesh.
 
 use meshmend_core::{Connectivity, PolygonMesh};
-use meshmend_io::{Format, Limits, ReadOptions, WriteOptions, encode, read_bytes};
+use meshmend_io::{Format, Shell, WriteOptions, encode, held_layers};
 use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_render::{
     Camera, Outlines, Scene, Size, boundary, components, inconsistent, non_manifold, witness,
 };
 use meshmend_repair::{Emptying, Plan, Side, SplitEdges, TriangulateFaces};
 use meshmend_topology::{TopologyReport, topology};
+
+use crate::families::read_any;
 
 /// What is done with a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +28,7 @@ pub(crate) enum Work {
     Triangulate,
     /// The pipeline that turns shells by how they are nested.
     OutwardNested,
-    /// Writing every format in every encoding, and reading that again.
+    /// Writing every format in every encoding, reading that, and writing it as it was read.
     Files,
     /// A picture of what is wrong, written in both formats.
     Render,
@@ -72,7 +74,7 @@ impl Work {
         }
     }
 
-    pub(crate) fn run(self, mesh: &PolygonMesh) {
+    pub(crate) fn run(self, mesh: &PolygonMesh, shell: &Shell) {
         match self {
             Work::Make => {}
             Work::Check => {
@@ -83,7 +85,7 @@ impl Work {
             Work::PinchOnly => repair(mesh, |plan| plan.split.edges = SplitEdges::PinchOnly),
             Work::Triangulate => repair(mesh, |plan| plan.triangulate.faces = TriangulateFaces::All),
             Work::OutwardNested => repair(mesh, |plan| plan.orient.side = Side::OutwardNested),
-            Work::Files => files(mesh),
+            Work::Files => files(mesh, shell),
             Work::Render => render(mesh),
         }
     }
@@ -95,15 +97,23 @@ fn repair(mesh: &PolygonMesh, choose: impl FnOnce(&mut Plan)) {
     plan.pipeline().on_emptying(Emptying::Allow).run(mesh).expect("these policies take any mesh");
 }
 
-fn files(mesh: &PolygonMesh) {
+fn files(mesh: &PolygonMesh, shell: &Shell) {
     for (format, encoding) in Format::ALL.iter().flat_map(|&f| f.encodings().iter().map(move |&e| (f, e))) {
-        let mut bytes = Vec::new();
-        let options = WriteOptions::of(format).with_encoding(encoding);
-        encode(mesh, &options, &mut bytes).expect("any mesh can be written");
-        let limits = Limits { max_declarations: u64::MAX, ..Limits::default() };
-        let options = ReadOptions { format: Some(format), limits };
-        read_bytes(&bytes, "mesh", &options).expect("what was written can be read");
+        let options =
+            WriteOptions { shell: shell.clone(), ..WriteOptions::of(format).with_encoding(encoding) };
+        let file = read_any(&written(mesh, &options), format);
+        // As it was read, and in a format that holds no names of properties.
+        for format in [format, Format::Obj] {
+            written(&file.mesh, &WriteOptions::of(format).as_read(&file));
+        }
     }
+}
+
+fn written(mesh: &PolygonMesh, options: &WriteOptions) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    encode(mesh, options, &mut bytes).expect("any mesh can be written");
+    held_layers(mesh, options);
+    bytes
 }
 
 fn render(mesh: &PolygonMesh) {

@@ -15,6 +15,7 @@
 
 use thiserror::Error;
 
+use crate::words::there_are;
 use crate::{CornerId, FaceId, Id, VertexId};
 
 /// A table holds fewer corners (and vertices, and faces) than this.
@@ -44,7 +45,7 @@ impl PartialEq for FaceTable {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum FaceTableError {
     /// A corner names a vertex that does not exist.
-    #[error("face {face} names vertex {vertex}, but there are {vertex_count} vertices")]
+    #[error("face {face} names vertex {vertex}, but {}", there_are(*vertex_count, "vertex"))]
     NoSuchVertex {
         /// The face, by its place.
         face: usize,

@@ -4,6 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use thiserror::Error;
 
+use crate::words::{counted, there_are};
 use crate::{Complex, Counts, Domain, FaceTable, Id, Layer, VertexId};
 
 /// An immutable polygon mesh. Cloning is O(1); every change makes a new mesh.
@@ -40,7 +41,7 @@ pub struct Metadata {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum MeshError {
     /// The faces were made for another number of vertices.
-    #[error("the faces are over {faces} vertices, but there are {positions} positions")]
+    #[error("the faces are over {}, but {}", counted(faces, "vertex"), there_are(*positions, "position"))]
     VertexCount {
         /// What the face table says.
         faces: usize,
@@ -48,7 +49,7 @@ pub enum MeshError {
         positions: usize,
     },
     /// A loose element names a vertex that does not exist.
-    #[error("{what} {index} names vertex {vertex}, but there are {vertex_count} vertices")]
+    #[error("{what} {index} names vertex {vertex}, but {}", there_are(*vertex_count, "vertex"))]
     NoSuchVertex {
         /// `loose edge` or `loose point`.
         what: &'static str,
@@ -60,7 +61,7 @@ pub enum MeshError {
         vertex_count: usize,
     },
     /// An attribute layer is not for this mesh.
-    #[error("the layer `{name}` is for {found} elements, but the mesh has {expected}")]
+    #[error("the layer `{name}` is for {}, but the mesh has {expected}", counted(found, "element"))]
     LayerSize {
         /// The layer's name.
         name: String,

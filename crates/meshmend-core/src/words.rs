@@ -23,3 +23,9 @@ pub fn counted(count: impl Display, one: &str) -> String {
         _ => format!("{count} {one}s"),
     }
 }
+
+/// How many there are of something: `there is 1 vertex`, `there are 3 vertices`.
+pub(crate) fn there_are(count: usize, one: &str) -> String {
+    let are = if count == 1 { "is" } else { "are" };
+    format!("there {are} {}", counted(count, one))
+}

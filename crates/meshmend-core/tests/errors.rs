@@ -42,7 +42,7 @@ fn parts_that_are_no_mesh() {
     let cases = vec![
         (
             PolygonMesh::new(vec![[0.0; 3]], FaceTable::empty(2)).unwrap_err(),
-            "the faces are over 2 vertices, but there are 1 positions",
+            "the faces are over 2 vertices, but there is 1 position",
         ),
         (
             triangle().with_positions(Vec::new()).unwrap_err(),
@@ -76,7 +76,7 @@ fn a_draft_that_makes_no_mesh() {
     let cases = vec![
         (
             mesh.rebuild(Draft { face_sources: Sources::same(3), ..draft() }).unwrap_err(),
-            "a draft has 3 face sources, but 1 are needed",
+            "of face sources a draft has 3 and needs 1",
         ),
         (mesh.rebuild(dropped).unwrap_err(), "a draft drops v2, which a loose element uses"),
         (mesh.rebuild(astray).unwrap_err(), "loose point 0 names vertex 9, but there are 3 vertices"),

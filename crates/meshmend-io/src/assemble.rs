@@ -1,6 +1,6 @@
 //! What all readers do last: check every index once, and put the parts together.
 
-use meshmend_core::{FaceTableBuilder, Layer, MeshError, Metadata, PolygonMesh, Role, VertexId};
+use meshmend_core::{FaceTableBuilder, Layer, MeshError, Metadata, PolygonMesh, Role, VertexId, counted};
 
 use crate::layers::is_numeric;
 use crate::note::Notes;
@@ -114,7 +114,7 @@ fn with_usual_role(layer: Layer) -> Layer {
 
 /// The reason when a file names a vertex that it does not hold.
 pub(crate) fn no_such_vertex(number: i64, count: usize) -> String {
-    format!("vertex {number} does not exist: the file has {count} vertices")
+    format!("vertex {number} does not exist: the file has {}", counted(count, "vertex"))
 }
 
 /// A corner attribute that is named by index: which value each corner uses, none until one is named.

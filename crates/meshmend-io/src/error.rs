@@ -6,7 +6,8 @@ use meshmend_core::DraftError;
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::limits::name_of_limit;
+use crate::limits::{name_of_limit, too_many};
+use crate::text::one_or_many;
 use crate::{Encoding, Format};
 
 /// A place in a file.
@@ -60,7 +61,7 @@ pub enum ReadErrorKind {
     #[error("{0}")]
     Malformed(String),
     /// The file holds more than the limits allow.
-    #[error("{found} {what} are more than the limit of {limit}{}", name_of_limit(what))]
+    #[error("{} more than the limit of {limit}{}", too_many(*found, what), name_of_limit(what))]
     LimitExceeded {
         /// What there is too much of.
         what: &'static str,
@@ -112,10 +113,8 @@ pub enum WriteErrorKind {
 }
 
 fn seam_vertices(count: u64) -> String {
-    match count {
-        1 => "1 vertex has attributes that differ from face to face".to_owned(),
-        _ => format!("{count} vertices have attributes that differ from face to face"),
-    }
+    let of_vertices = one_or_many(count, "vertex has", "vertices have");
+    format!("{of_vertices} attributes that differ from face to face")
 }
 
 fn shown(place: &Place) -> String {

@@ -1,37 +1,45 @@
 //! Which attribute layers a written file would hold: asked of the writers, with a triangle that has such a layer.
 
+use std::collections::BTreeSet;
+
 use meshmend_core::{Domain, FaceTable, Layer, PolygonMesh, Values, VertexId};
 
 use crate::layers::domain_name;
 use crate::{LossKind, WriteOptions, losses};
 
-/// For each layer of a mesh whether a file that is written so would have it, by its name, elements and type; whether its
-/// values are rounded is another question. Options that name no format hold all.
+/// For each layer of a mesh whether a file that is written so would have it beside the others, by its name, elements and type;
+/// whether its values are rounded is another question. Options that name no format hold all.
 ///
-/// *Cost*: that of writing a triangle for each layer.
+/// *Cost*: that of writing a triangle with all layers.
 pub fn held_layers(mesh: &PolygonMesh, options: &WriteOptions) -> Vec<bool> {
     let samples: Vec<Layer> = mesh.layers().iter().map(sample).collect();
-    let lost_together = lost_names(&samples, options);
-    let is_held = |sample: &Layer| {
-        lost_names(std::slice::from_ref(sample), options).is_empty()
-            && !lost_together.contains(&spelled(sample))
-    };
-    samples.iter().map(is_held).collect()
+    let names: Vec<String> = samples.iter().map(spelled).collect();
+    let lost = lost_names(samples, options);
+    names.iter().map(|name| !lost.contains(name)).collect()
 }
 
 /// The layers, by what losses call them, that a triangle loses.
-fn lost_names(layers: &[Layer], options: &WriteOptions) -> Vec<String> {
+fn lost_names(layers: Vec<Layer>, options: &WriteOptions) -> BTreeSet<String> {
     let corners = (0..3).map(VertexId).collect();
     let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let triangle = FaceTable::triangles(3, corners).ok().and_then(|faces| {
-        PolygonMesh::new(points, faces).and_then(|mesh| mesh.with_layers(layers.to_vec())).ok()
-    });
+    let triangle = FaceTable::triangles(3, corners)
+        .ok()
+        .and_then(|faces| PolygonMesh::new(points, faces).and_then(|mesh| mesh.with_layers(layers)).ok());
     let losses = triangle.map_or(Vec::new(), |triangle| losses(&triangle, options));
-    let lost = losses.into_iter().filter(|loss| loss.kind == LossKind::Layer).map(|loss| loss.message);
-    let names = layers.iter().map(spelled);
-    let lost: Vec<String> = lost.collect();
-    names.filter(|name| lost.iter().any(|message| message.contains(name))).collect()
+    let of_layers = losses.iter().filter(|loss| loss.kind == LossKind::Layer);
+    of_layers.filter_map(|loss| named_in(&loss.message)).map(str::to_owned).collect()
 }
+
+/// The part of a loss that says which layer is lost. A name may hold anything; what follows it holds no `` ` ``.
+fn named_in(message: &str) -> Option<&str> {
+    let (open, close) = (message.find(" attribute `")?, message.rfind('`')?);
+    let before = |&domain: &Domain| message[..open].strip_suffix(domain_name(domain));
+    let before = DOMAINS.iter().find_map(before)?;
+    message.get(before.len()..=close)
+}
+
+const DOMAINS: [Domain; 5] =
+    [Domain::Vertex, Domain::Corner, Domain::Face, Domain::LooseEdge, Domain::LoosePoint];
 
 /// What a loss calls a layer.
 fn spelled(layer: &Layer) -> String {
@@ -113,5 +121,43 @@ mod tests {
         assert_eq!(held(vec![texcoord(), normal()]), [false, true]);
         let loose = Layer::indexed("group", Domain::LooseEdge, 1, Carry::Copy, Values::U8(vec![0]), vec![]);
         assert_eq!(held(vec![loose, texcoord(), normal()])[1..], [false, true]);
+    }
+
+    #[test]
+    fn what_is_lost_alone_is_lost_beside_any_other() {
+        let names = ["color", "normal", "texcoord", "weight", "texnumber", "material", "object", "attribute"];
+        let values = [
+            (1, Values::U16(vec![0])),
+            (1, Values::Text(vec![b"red".to_vec()])),
+            (3, Values::F64(vec![0.0; 3])),
+        ];
+        let kinds: Vec<Layer> = names
+            .iter()
+            .flat_map(|name| [Domain::Vertex, Domain::Corner, Domain::Face].map(|domain| (name, domain)))
+            .flat_map(|(name, domain)| values.clone().map(|(width, value)| layer(name, domain, width, value)))
+            .collect();
+        for (format, &encoding) in Format::ALL.iter().flat_map(|f| f.encodings().iter().map(move |e| (f, e)))
+        {
+            let options = WriteOptions::of(*format).with_encoding(encoding);
+            let lost = |layers: Vec<Layer>| {
+                let held = held_layers(&mesh(layers), &options);
+                held.first() == Some(&false)
+            };
+            for one in kinds.iter().filter(|one| lost(vec![(*one).clone()])) {
+                for other in &kinds {
+                    assert!(lost(vec![one.clone(), other.clone()]), "{format}: {one:?} beside {other:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_layer_is_known_in_a_loss_whatever_its_name_holds() {
+        for message in
+            ["vertex attribute `a` of `b` of 3 vertices", "3 values of the vertex attribute `a` of `b`, x"]
+        {
+            assert_eq!(named_in(message), Some("vertex attribute `a` of `b`"));
+        }
+        assert_eq!(named_in("the alpha of the colours of 1 vertex"), None);
     }
 }

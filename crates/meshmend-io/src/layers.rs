@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-use meshmend_core::{Domain, Layer, PolygonMesh, Values};
+use meshmend_core::{Domain, Layer, PolygonMesh, Values, counted};
 
+use crate::text::one_or_many;
 use crate::{Loss, LossKind};
 
 /// Whether a layer's values are numbers, not names or lists.
@@ -51,7 +52,8 @@ pub(crate) fn absent(layer: &Layer) -> usize {
 pub(crate) fn absent_loss(layer: &Layer, count: usize) -> Option<Loss> {
     Loss::if_any(LossKind::AbsentValue, count, |count| {
         let (domain, name) = (domain_name(layer.domain()), layer.name());
-        format!("that {count} {} have no {domain} attribute `{name}`", elements(layer))
+        let have = if count == 1 { "has" } else { "have" };
+        format!("that {} {have} no {domain} attribute `{name}`", counted(count, domain))
     })
 }
 
@@ -74,7 +76,7 @@ pub(crate) fn losses_in(mesh: &PolygonMesh, written: &[&Layer], domains: &[Domai
 fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
     let (domain, name) = (domain_name(layer.domain()), layer.name());
     let of_elements = Loss::if_any(LossKind::Layer, count, |count| {
-        format!("{domain} attribute `{name}` of {count} {}", elements(layer))
+        format!("{domain} attribute `{name}` of {}", counted(count, domain))
     });
     of_elements.or_else(|| unused_layer_loss(layer))
 }
@@ -87,7 +89,7 @@ fn unused_layer_loss(layer: &Layer) -> Option<Loss> {
     let is_unused = !is_of_loose && absent(layer) == layer.element_count();
     let values = if is_unused { layer.value_count() } else { 0 };
     Loss::if_any(LossKind::Layer, values, |count| {
-        format!("{count} values of the {domain} attribute `{name}`, which no {domain} uses")
+        format!("{} of the {domain} attribute `{name}`, which no {domain} uses", counted(count, "value"))
     })
 }
 
@@ -117,7 +119,13 @@ pub(crate) fn elements(layer: &Layer) -> &'static str {
 pub(crate) fn spelling_loss(mesh: &PolygonMesh, keys: &[&str]) -> Option<Loss> {
     let written = mesh.metadata().iter().filter(|statement| keys.contains(&statement.kind()));
     let other = written.filter(|statement| one_line(&statement.value)[..] != statement.value[..]).count();
-    Loss::if_any(LossKind::Names, other, |n| format!("{n} statements about the file are spelled otherwise"))
+    Loss::if_any(LossKind::Names, other, |n| {
+        one_or_many(
+            n,
+            "statement about the file is spelled otherwise",
+            "statements about the file are spelled otherwise",
+        )
+    })
 }
 
 /// A loss for each kind of statement about the whole file that is not among those which are written.
@@ -127,7 +135,7 @@ pub(crate) fn metadata_losses(mesh: &PolygonMesh, written: &[&str]) -> Vec<Loss>
     keys.sort_unstable();
     let of_key = keys.chunk_by(|a, b| a == b);
     let loss = |same: &[&str]| {
-        let message = format!("{} statements `{}` about the file", same.len(), same[0]);
+        let message = format!("{} `{}` about the file", counted(same.len(), "statement"), same[0]);
         Loss::new(LossKind::Metadata, same.len(), message)
     };
     of_key.map(loss).collect()
@@ -135,13 +143,13 @@ pub(crate) fn metadata_losses(mesh: &PolygonMesh, written: &[&str]) -> Vec<Loss>
 
 /// The loss of all loose edges and points.
 pub(crate) fn loose_losses(mesh: &PolygonMesh) -> Vec<Loss> {
-    let edges = Loss::if_any(LossKind::LooseEdges, mesh.loose_edges().len(), |n| format!("{n} loose edges"));
+    let edges = Loss::if_any(LossKind::LooseEdges, mesh.loose_edges().len(), |n| counted(n, "loose edge"));
     edges.into_iter().chain(point_loss(mesh)).collect()
 }
 
 /// The loss of all loose points.
 pub(crate) fn point_loss(mesh: &PolygonMesh) -> Option<Loss> {
-    Loss::if_any(LossKind::LoosePoints, mesh.loose_points().len(), |n| format!("{n} loose points"))
+    Loss::if_any(LossKind::LoosePoints, mesh.loose_points().len(), |n| counted(n, "loose point"))
 }
 
 /// A statement as one line that no reader continues on the next: without line ends, and not ending in `\`.

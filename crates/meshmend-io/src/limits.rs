@@ -2,6 +2,8 @@
 
 use meshmend_core::MAX_CORNERS;
 
+use crate::text::one_or_many;
+
 /// What a file may hold at most. The defaults are finite, and beyond what fits the memory of most machines.
 ///
 /// Memory follows the bytes that are present, never the counts that a file declares, whatever the limits are.
@@ -23,14 +25,14 @@ pub struct Limits {
     pub max_declarations: u64,
 }
 
-/// What there can be too much of in a file, with the name of its limit.
-const NAMES: [(&str, &str); 6] = [
-    ("bytes", "max_file_bytes"),
-    (STREAM_BYTES, "max_stream_bytes"),
-    ("vertices", "max_vertices"),
-    ("faces", "max_faces"),
-    ("corners", "max_corners"),
-    (DECLARATIONS, "max_declarations"),
+/// What there can be too much of in a file, what one of it is, and the name of its limit.
+const NAMES: [(&str, &str, &str); 6] = [
+    ("bytes", "byte", "max_file_bytes"),
+    (STREAM_BYTES, "byte from a source that does not tell its size", "max_stream_bytes"),
+    ("vertices", "vertex", "max_vertices"),
+    ("faces", "face", "max_faces"),
+    ("corners", "corner", "max_corners"),
+    (DECLARATIONS, "element or property", "max_declarations"),
 ];
 
 /// What a source without a size can have too much of.
@@ -41,8 +43,14 @@ pub(crate) const DECLARATIONS: &str = "elements and properties";
 
 /// The name of the limit on something, in parentheses.
 pub(crate) fn name_of_limit(what: &str) -> String {
-    let found = NAMES.iter().find(|(limited, _)| *limited == what);
-    found.map_or(String::new(), |(_, name)| format!(" ({name})"))
+    let found = NAMES.iter().find(|(limited, ..)| *limited == what);
+    found.map_or(String::new(), |(.., name)| format!(" ({name})"))
+}
+
+/// That so much of something is there: `1 face is`, `2 faces are`.
+pub(crate) fn too_many(found: u64, what: &str) -> String {
+    let one = NAMES.iter().find(|(limited, ..)| *limited == what).map_or(what, |(_, one, _)| one);
+    one_or_many(found, &format!("{one} is"), &format!("{what} are"))
 }
 
 impl Default for Limits {

@@ -81,13 +81,15 @@ impl fmt::Display for Loss {
 
 #[cfg(test)]
 mod tests {
+    use meshmend_core::counted;
+
     use super::*;
 
     #[test]
     fn a_loss_of_nothing_is_none_and_any_other_says_what_is_lost() {
-        let loss = |count| Loss::if_any(LossKind::LooseEdges, count, |n| format!("{n} loose edges"));
+        let loss = |count| Loss::if_any(LossKind::LooseEdges, count, |n| counted(n, "loose edge"));
         assert_eq!(loss(0), None);
         let one = loss(1).unwrap();
-        assert_eq!((one.count, one.to_string()), (1, "1 loose edges".to_owned()));
+        assert_eq!((one.count, one.to_string()), (1, "1 loose edge".to_owned()));
     }
 }

@@ -1,5 +1,7 @@
 //! Text as bytes: blanks, line ends and numbers, without a look at its character encoding.
 
+use std::fmt::Display;
+
 use fast_float2::FastFloat;
 
 /// Space, tabulator, vertical tabulator and form feed.
@@ -99,9 +101,12 @@ pub(crate) fn words(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
     bytes.split(|&b| is_space(b)).filter(|word| !word.is_empty())
 }
 
-/// A number and what it counts: `1 value`, `2 values`.
-pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
+/// A number with what is said of one, or of several: `1 value is`, `2 values are`. What is counted alone is
+/// [`counted`](meshmend_core::counted).
+pub(crate) fn one_or_many(count: impl Display, one: &str, many: &str) -> String {
+    let count = count.to_string();
+    let words = if count == "1" { one } else { many };
+    format!("{count} {words}")
 }
 
 /// Bytes as people may read them: short, and printable.

@@ -3,7 +3,7 @@
 //! A face's `texnumber` n is the material `texture_n`. Which picture that is, MeshLab says in comments `TextureFile NAME`,
 //! which stay comments; no material library is written.
 
-use meshmend_core::{Carry, Domain, DraftError, Layer, NO_VALUE, Values};
+use meshmend_core::{Carry, Domain, DraftError, Layer, NO_VALUE, Values, counted};
 
 use crate::layers::{layer_of, number};
 use crate::{Loss, LossKind, Prepared, WriteErrorKind};
@@ -20,11 +20,10 @@ impl Prepared {
         let has_materials = self.mesh.layer(MATERIAL, Domain::Face).is_some();
         let numbers = layer_of(&self.mesh, NUMBER, Domain::Face, is_whole).filter(|_| !has_materials);
         let Some(names) = numbers.map(names_of) else { return Ok(()) };
-        self.replace_layer(NUMBER, names)?;
+        self.replace_layer(NUMBER, is_whole, names)?;
         let files = self.mesh.metadata().iter().filter(|m| m.kind() == "comment" && names_file(&m.value));
         self.losses.extend(Loss::if_any(LossKind::Converted, files.count(), |count| {
-            let files =
-                if count == 1 { "1 texture file".to_owned() } else { format!("{count} texture files") };
+            let files = counted(count, "texture file");
             format!("{files} named in comments alone, as no material library is written")
         }));
         Ok(())
@@ -35,21 +34,32 @@ impl Prepared {
     /// *Cost*: linear in the names, and in the faces if all are texture numbers.
     pub(crate) fn number_textures(&mut self) -> Result<(), WriteErrorKind> {
         let has_numbers = self.mesh.layer(NUMBER, Domain::Face).is_some();
-        let is_text = |layer: &Layer| matches!(layer.values(), Values::Text(_)) && layer.width() == 1;
         let materials = layer_of(&self.mesh, MATERIAL, Domain::Face, is_text).filter(|_| !has_numbers);
         match materials.and_then(numbers_of) {
-            Some(numbers) => self.replace_layer(MATERIAL, numbers),
+            Some(numbers) => self.replace_layer(MATERIAL, is_text, numbers),
             None => Ok(()),
         }
     }
 
-    fn replace_layer(&mut self, name: &str, new: Layer) -> Result<(), WriteErrorKind> {
-        let is_old = |layer: &Layer| layer.name() == name && layer.domain() == Domain::Face;
-        let layers = self.mesh.layers().iter();
-        let layers = layers.map(|layer| if is_old(layer) { new.clone() } else { layer.clone() });
-        self.mesh = self.mesh.clone().with_layers(layers.collect()).map_err(DraftError::from)?;
+    /// Puts a layer in the place of the first one of faces of a name that is fit.
+    fn replace_layer(
+        &mut self,
+        name: &str,
+        is_fit: fn(&Layer) -> bool,
+        new: Layer,
+    ) -> Result<(), WriteErrorKind> {
+        let is_old = |layer: &Layer| layer.name() == name && layer.domain() == Domain::Face && is_fit(layer);
+        let mut layers = self.mesh.layers().to_vec();
+        if let Some(old) = layers.iter_mut().find(|layer| is_old(layer)) {
+            *old = new;
+        }
+        self.mesh = self.mesh.clone().with_layers(layers).map_err(DraftError::from)?;
         Ok(())
     }
+}
+
+fn is_text(layer: &Layer) -> bool {
+    matches!(layer.values(), Values::Text(_)) && layer.width() == 1
 }
 
 fn is_whole(layer: &Layer) -> bool {

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values};
+use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values, counted};
 
 use crate::layers::{
     absent, domain_name, has_fractions, is_numeric, layer_losses, layer_of, losses_in, metadata_losses,
@@ -73,13 +73,14 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     losses.extend(losses_in(mesh, &written, &[Domain::LooseEdge, Domain::LoosePoint]));
     losses.extend(plan.color.filter(|color| !has_fractions(color)).map(|color| {
         let count = color.element_count();
-        let message = format!("colours of {count} vertices become fractions of 255");
+        let message = format!("colours of {} become fractions of 255", counted(count, "vertex"));
         Loss::new(LossKind::Converted, count, message)
     }));
     losses.extend(plan.color.and_then(|color| plan.alpha_loss(color)));
     losses.extend(plan.weight.and_then(|layer| {
         Loss::if_any(LossKind::AbsentValue, absent(layer), |n| {
-            format!("that {n} vertices have no vertex attribute `weight`: they get 1")
+            let (have, they_get) = if n == 1 { ("has", "it gets") } else { ("have", "they get") };
+            format!("that {} {have} no vertex attribute `weight`: {they_get} 1", counted(n, "vertex"))
         })
     }));
     losses.extend([plan.texcoord, plan.normal].into_iter().flatten().filter_map(moved_to_corners));
@@ -136,8 +137,7 @@ impl<'a> Plan<'a> {
         let is_clear = |&value: &usize| number(color.values(), value * color.width() + 3) != opaque;
         let clear = (0..color.element_count()).filter_map(|at| color.value_of(at)).filter(is_clear).count();
         Loss::if_any(LossKind::Layer, clear, |n| {
-            let vertices = if n == 1 { "1 vertex".to_owned() } else { format!("{n} vertices") };
-            format!("the alpha of the colours of {vertices}: other programs misread it")
+            format!("the alpha of the colours of {}: other programs misread it", counted(n, "vertex"))
         })
     }
 

@@ -1,6 +1,8 @@
 //! The two blocks of an OFF file: its vertices, and its faces. Lines without anything beside coordinates or indices are
 //! parsed ahead.
 
+use meshmend_core::counted;
+
 use crate::ReadError;
 use crate::ahead::{self, Pace, read_ahead};
 use crate::off::beside::Beside;
@@ -100,7 +102,7 @@ impl Faces<'_, '_> {
         let (face, corners) = (reader.parts.faces.face_count(), reader.parts.faces.corner_count() as u64);
         // An index takes a blank and a digit: more corners than half the bytes that are left can't be there.
         if degree > ((reader.bytes.len() - reader.at) / 2) as u64 {
-            let reason = format!("a face of {degree} corners does not fit its line");
+            let reason = format!("a face of {} does not fit its line", counted(degree, "corner"));
             return Err(reader.wrong(start, &reason));
         }
         reader.source.limited("corners", corners + degree, reader.limits.max_corners)?;

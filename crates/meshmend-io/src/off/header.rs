@@ -1,7 +1,9 @@
 //! The start of an OFF file: the word with its letters, and the counts.
 
+use meshmend_core::counted;
+
 use crate::off::read::Reader;
-use crate::text;
+use crate::text::{self, one_or_many};
 use crate::{NoteKind, ReadError};
 
 /// What each vertex has beside its coordinates.
@@ -131,8 +133,9 @@ impl<'a> Reader<'a> {
         // The shortest vertex takes six bytes, the shortest face two; the last one needs no line end.
         let left = (self.bytes.len() - self.at) as u64;
         if vertices.saturating_mul(6).saturating_add(faces.saturating_mul(2)) > left + 1 {
-            let reason =
-                format!("{vertices} vertices and {faces} faces are announced, {left} bytes are left");
+            let (vertices, faces) = (counted(vertices, "vertex"), counted(faces, "face"));
+            let left = one_or_many(left, "byte is", "bytes are");
+            let reason = format!("{vertices} and {faces} are announced, {left} left");
             return Err(self.wrong(at, &reason));
         }
         self.source.limited("vertices", vertices, self.limits.max_vertices)?;

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use meshmend_core::{Domain, Id, Layer, Values};
+use meshmend_core::{Domain, Id, Layer, Values, counted};
 
 use crate::layers::{
     absent, absent_loss, has_fractions, is_numeric, layer_losses, layer_of, loose_losses, metadata_losses,
@@ -81,10 +81,7 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     if let Some(layer) = plan.vertex_color.filter(|layer| lacks_alpha(layer)) {
         let count = layer.element_count() - absent(layer);
         losses.extend(Loss::if_any(LossKind::Converted, count, |n| {
-            format!(
-                "vertex attribute `color` of {n} {} gets an opaque fourth number",
-                if n == 1 { "vertex" } else { "vertices" }
-            )
+            format!("vertex attribute `color` of {} gets an opaque fourth number", counted(n, "vertex"))
         }));
     }
     losses.extend(loose_losses(mesh));

@@ -2,13 +2,14 @@
 
 use std::io::{self, Read};
 
-use meshmend_core::Values;
+use meshmend_core::{Values, counted};
 
 use crate::blocks::Blocks;
 use crate::ply::data::{Data, FixedRows};
 use crate::ply::header::Element;
 use crate::ply::scalar::Scalar;
 use crate::read::Source;
+use crate::text::one_or_many;
 use crate::{Place, ReadError};
 
 /// Binary values of either byte order.
@@ -38,8 +39,8 @@ fn failed(source: &Source<'_>, at: usize, length: usize, error: io::Error) -> Re
 
 #[cold]
 fn cut(source: &Source<'_>, at: usize, what: &str) -> ReadError {
-    let left = source.length - at;
-    let reason = format!("the file ends early: {left} bytes are left for {what}");
+    let left = one_or_many(source.length - at, "byte is", "bytes are");
+    let reason = format!("the file ends early: {left} left for {what}");
     source.malformed(Place::Byte(at as u64), reason)
 }
 
@@ -137,7 +138,7 @@ impl<const BIG: bool> Data for Binary<'_, BIG> {
     /// The rows must be able to be there at all.
     fn begin_element(&mut self, element: &Element) -> Result<(), ReadError> {
         let least: usize = element.properties.iter().map(|p| p.length.unwrap_or(p.item).size()).sum();
-        let what = format!("{} rows of element `{}`", element.count, element.name);
+        let what = format!("{} of element `{}`", counted(element.count, "row"), element.name);
         self.check_room(0, element.count.saturating_mul(least as u64), &what)
     }
 

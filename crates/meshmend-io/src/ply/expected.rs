@@ -3,7 +3,7 @@
 //! Measured: MeshLab reads no texture coordinates from lists of `double` nor from `double s t`, and no colours but bytes; VTK
 //! reads bytes alone and shows any other colour as black. A file that was a PLY keeps its types.
 
-use meshmend_core::{DraftError, Layer, Role, Values};
+use meshmend_core::{DraftError, Layer, Role, Values, counted};
 
 use crate::layers::elements;
 use crate::ply::PlyShape;
@@ -105,10 +105,6 @@ fn byte(x: f64) -> Option<u8> {
     }
     let of_256 = x * 256.0;
     (of_256.fract() == 0.0 && of_256 < 256.0).then_some(of_256 as u8)
-}
-
-fn counted(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
 }
 
 #[cfg(test)]

@@ -5,9 +5,11 @@
 //! even: each element ends at the end of a line, or shares that line with whole elements alone, and nothing is left at
 //! the end of the file.
 
+use meshmend_core::counted;
+
 use crate::ply::header::{Element, Property};
 use crate::read::Source;
-use crate::text::{self, counted, is_blank, is_line_end};
+use crate::text::{self, is_blank, is_line_end, one_or_many};
 use crate::{ReadError, ReadErrorKind};
 
 /// What is known of the rows so far.
@@ -90,7 +92,7 @@ impl<'a> Lines<'a> {
         match text::words(&self.source.bytes[end..]).count() {
             0 => Ok(()),
             left => {
-                let left = counted(left as u64, "value is", "values are");
+                let left = one_or_many(left, "value is", "values are");
                 let why = format!("read across lines, {left} left at the end of the file");
                 Err(first.error(self.source, Some(&why)))
             }
@@ -101,8 +103,9 @@ impl<'a> Lines<'a> {
     #[cold]
     pub(super) fn missing(&self, element: &Element, row: u64) -> ReadError {
         let Element { name, count, .. } = element;
-        let found = if row == 1 { "is" } else { "are" };
-        let reason = format!("the file ends early: {row} of {count} rows of element `{name}` {found} there");
+        let found = if row == 1 || *count == 1 { "is" } else { "are" };
+        let rows = counted(count, "row");
+        let reason = format!("the file ends early: {row} of {rows} of element `{name}` {found} there");
         match &self.first {
             Some(first) => first.error(self.source, Some(&format!("read across lines, {reason}"))),
             None => self.source.malformed(self.source.line(self.source.bytes.len()), reason),
@@ -130,7 +133,7 @@ impl OddRow {
         let (announced, is_exact) = announced(line, &element.properties);
         let least = if is_exact { "" } else { "at least " };
         let Element { name, count, .. } = element;
-        let (row, values) = (row + 1, counted(announced, "value", "values"));
+        let (row, values) = (row + 1, counted(announced, "value"));
         let reason = format!(
             "row {row} of {count} of element `{name}` announces {least}{values}, its line has {found}"
         );

@@ -31,6 +31,7 @@ mod header;
 mod interpret;
 mod layers;
 mod lines;
+mod listed;
 mod plain;
 mod plan;
 mod prepare;

@@ -11,7 +11,7 @@ use crate::ply::lines::Lines;
 use crate::ply::scalar::Scalar;
 use crate::ply::table::Table;
 use crate::read::Source;
-use crate::text::{self, is_space};
+use crate::text::{self, is_space, one_or_many};
 
 pub(super) struct Plain<'a> {
     source: &'a Source<'a>,
@@ -129,7 +129,8 @@ impl Data for Plain<'_> {
         if values <= left as u64 / 2 + 1 {
             return Ok(());
         }
-        Err(self.wrong(self.at, &format!("the file ends early: {left} bytes are left for {what}")))
+        let left = one_or_many(left, "byte is", "bytes are");
+        Err(self.wrong(self.at, &format!("the file ends early: {left} left for {what}")))
     }
 
     #[inline]

@@ -14,6 +14,7 @@ use crate::ply::scalar::Scalar;
 use crate::ply::shape::Declared;
 use crate::ply::types::{coordinate_types, corners_at_most, counting, fitting};
 use crate::ply::{CORNER_PREFIX, PROPERTY_NAMES, PlyShape};
+use crate::text::one_or_many;
 use crate::{Loss, LossKind, Prepared};
 
 /// The elements of a file to be written.
@@ -43,7 +44,9 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     losses.extend(metadata_losses(mesh, &KEYS));
     let statements = mesh.metadata().iter().filter(|m| KEYS.contains(&m.kind()));
     let other = statements.filter(|m| header_line(&m.value) != m.value).count();
-    losses.extend(Loss::if_any(LossKind::Names, other, |n| format!("{n} comments are spelled otherwise")));
+    losses.extend(Loss::if_any(LossKind::Names, other, |n| {
+        one_or_many(n, "comment is spelled otherwise", "comments are spelled otherwise")
+    }));
     losses
 }
 
@@ -90,10 +93,13 @@ fn is_table(shape: Option<&PlyShape>, name: &str) -> bool {
 }
 
 /// The elements of a mesh and those that are carried as they are, in the order of the file that the mesh comes from.
+///
+/// *Cost*: linear, but for sorting the properties of vertices, faces and edges.
 fn in_declared_order<'a>(mut known: Vec<Element<'a>>, shape: Option<&'a PlyShape>) -> Vec<Element<'a>> {
     let Some(shape) = shape else { return known };
-    let mut all = Vec::with_capacity(shape.elements.len());
-    for declared in &shape.elements {
+    known.iter_mut().for_each(|element| sort_as_declared(element, shape));
+    let mut all = Vec::with_capacity(shape.elements.all().len());
+    for declared in shape.elements.all() {
         match &declared.table {
             Some(rows) => all.push(Element {
                 name: &declared.name,
@@ -112,7 +118,6 @@ fn in_declared_order<'a>(mut known: Vec<Element<'a>>, shape: Option<&'a PlyShape
         all.insert(0, known.remove(0));
     }
     all.extend(known);
-    all.iter_mut().for_each(|element| sort_as_declared(element, shape));
     all
 }
 
@@ -130,7 +135,7 @@ fn table_properties<'a>(declared: &'a Declared, columns: &'a [Layer]) -> Vec<Pro
         item: property.item,
         source: property.length.map_or(Source::Component(layer, 0), |length| Source::List(layer, length)),
     };
-    declared.properties.iter().zip(columns).map(property).collect()
+    declared.properties.all().iter().zip(columns).map(property).collect()
 }
 
 /// The ends of loose edges.
@@ -190,10 +195,9 @@ impl<'a> Planner<'a> {
     fn indices(&self) -> Property<'a> {
         let face = self.shape.and_then(|shape| shape.element("face"));
         let names = ["vertex_indices", "vertex_index"];
-        let declared = face.and_then(|face| {
-            let properties = face.properties.iter().filter(|property| property.length.is_some());
-            properties.into_iter().find(|property| names.contains(&property.name.as_str()))
-        });
+        let named = names.iter().filter_map(|name| face?.property(name));
+        let lists = named.filter(|(_, property)| property.length.is_some());
+        let declared = lists.min_by_key(|&(at, _)| at).map(|(_, property)| property);
         let highest = self.mesh.counts().vertices.saturating_sub(1);
         Property {
             name: declared.map_or(names[0], |property| property.name.as_str()).to_owned(),

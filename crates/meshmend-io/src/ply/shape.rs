@@ -1,9 +1,10 @@
 //! What a PLY file's writer chose: which elements the header declares, with which properties, of which types, in which order.
 
-use meshmend_core::{Layer, PolygonMesh};
+use meshmend_core::{Layer, PolygonMesh, counted};
 
 use crate::ply::columns::Columns;
 use crate::ply::header::{Element, Header};
+use crate::ply::listed::{Listed, Named};
 use crate::ply::scalar::Scalar;
 use crate::ply::{CORNER_PREFIX, GROUPS};
 use crate::shell::Shape;
@@ -12,7 +13,7 @@ use crate::{Loss, LossKind, Prepared};
 /// What a PLY file's writer chose.
 #[derive(Debug)]
 pub(crate) struct PlyShape {
-    pub(super) elements: Vec<Declared>,
+    pub(super) elements: Listed<Declared>,
     /// The mesh as it was stored, if a table names its vertices or faces by number.
     stored: Option<PolygonMesh>,
 }
@@ -21,7 +22,7 @@ pub(crate) struct PlyShape {
 #[derive(Debug, PartialEq)]
 pub(super) struct Declared {
     pub(super) name: String,
-    pub(super) properties: Vec<DeclaredProperty>,
+    pub(super) properties: Listed<DeclaredProperty>,
     /// The rows, where nothing else is known of the element: it is carried as it is.
     pub(super) table: Option<Rows>,
 }
@@ -41,6 +42,18 @@ pub(super) struct DeclaredProperty {
     pub(super) item: Scalar,
 }
 
+impl Named for Declared {
+    fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+impl Named for DeclaredProperty {
+    fn name(&self) -> &str {
+        &self.name
+    }
+}
+
 impl PlyShape {
     /// What a header declares, with the rows of those elements that are carried as they are: the places of these in the
     /// header, ascending, and their columns.
@@ -52,7 +65,7 @@ impl PlyShape {
         };
         let elements: Vec<Declared> = header.elements.iter().enumerate().map(declared).collect();
         let stored = elements.iter().any(Declared::names_elements).then(|| mesh.clone());
-        PlyShape { elements, stored }
+        PlyShape { elements: Listed::new(elements), stored }
     }
 
     /// The shape of the file that a mesh comes from, if that was a PLY.
@@ -65,26 +78,26 @@ impl PlyShape {
 
     /// The declaration of an element.
     pub(super) fn element(&self, name: &str) -> Option<&Declared> {
-        self.elements.iter().find(|element| element.name == name)
+        self.elements.find(name).map(|(_, element)| element)
     }
 
     /// Whether a property of vertices or faces is declared that a layer is written as.
     pub(super) fn declares(&self, layer: &Layer) -> bool {
-        let is_member = |name: &str| {
-            GROUPS.iter().any(|group| group.layer == layer.name() && group.members.contains(&name))
-        };
-        let is_of_layer =
-            |name: &str| name.strip_prefix(CORNER_PREFIX).unwrap_or(name) == layer.name() || is_member(name);
-        let elements = ["vertex", "face"].into_iter().filter_map(|name| self.element(name));
-        elements.flat_map(|element| &element.properties).any(|property| is_of_layer(&property.name))
+        let groups = GROUPS.iter().filter(|group| group.layer == layer.name());
+        let of_corners = format!("{CORNER_PREFIX}{}", layer.name());
+        let own = [layer.name(), of_corners.as_str()];
+        let mut names = groups.flat_map(|group| group.members).copied().chain(own);
+        let elements = ["vertex", "face"].map(|name| self.element(name));
+        names.any(|name| elements.iter().flatten().any(|element| element.property(name).is_some()))
     }
 
     /// The loss of the elements that are carried as they are, in any other format.
     pub(crate) fn table_losses(&self) -> Vec<Loss> {
-        let tables = self.elements.iter().filter_map(|element| Some((element, element.table.as_ref()?)));
+        let tables =
+            self.elements.all().iter().filter_map(|element| Some((element, element.table.as_ref()?)));
         let loss = |(element, rows): (&Declared, &Rows)| {
             Loss::if_any(LossKind::Elements, rows.count, |count| {
-                format!("element `{}` of {}", element.name, rows_in_words(count))
+                format!("element `{}` of {}", element.name, counted(count, "row"))
             })
         };
         tables.filter_map(loss).collect()
@@ -99,11 +112,11 @@ impl PlyShape {
         if stored.faces() == written.faces() && bits(stored) == bits(written) {
             return Vec::new();
         }
-        let stale = self.elements.iter().filter(|element| element.names_elements());
+        let stale = self.elements.all().iter().filter(|element| element.names_elements());
         let loss = |element: &Declared| {
             let count = element.table.as_ref().map_or(0, |rows| rows.count);
             Loss::if_any(LossKind::StaleData, count, |count| {
-                let rows = rows_in_words(count);
+                let rows = counted(count, "row");
                 format!(
                     "element `{}` of {rows} is carried as it was, but vertices or faces that it names have other numbers now",
                     element.name
@@ -123,7 +136,7 @@ impl Declared {
         });
         let table = columns
             .map(|columns| Rows { count: element.count as usize, columns: columns.into_layers(element) });
-        Declared { name: element.name.clone(), properties: properties.collect(), table }
+        Declared { name: element.name.clone(), properties: Listed::new(properties.collect()), table }
     }
 
     /// Whether it is carried as it is and has whole numbers that by their name are those of vertices or faces.
@@ -133,12 +146,12 @@ impl Declared {
             let is_named = name.starts_with("face") || name.starts_with("vertex") && name.contains("ind");
             is_named && !property.item.has_fractions()
         };
-        self.table.is_some() && self.properties.iter().any(is_number)
+        self.table.is_some() && self.properties.all().iter().any(is_number)
     }
 
     /// A property's declaration, with its place.
     pub(super) fn property(&self, name: &str) -> Option<(usize, &DeclaredProperty)> {
-        self.properties.iter().enumerate().find(|(_, property)| property.name == name)
+        self.properties.find(name)
     }
 }
 
@@ -147,8 +160,4 @@ impl PartialEq for PlyShape {
     fn eq(&self, other: &Self) -> bool {
         self.elements == other.elements
     }
-}
-
-fn rows_in_words(count: usize) -> String {
-    if count == 1 { "1 row".to_owned() } else { format!("{count} rows") }
 }

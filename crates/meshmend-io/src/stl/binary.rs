@@ -10,6 +10,7 @@ use crate::read::{Parsed, Source};
 use crate::shell::Shape;
 use crate::stl::normals::Recomputed;
 use crate::stl::{ATTRIBUTE, FACET, HEAD, HEADER, StlShape, colors};
+use crate::text::one_or_many;
 use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
 
 /// How long the file would be if its count were right; nothing when it is too short to have a count.
@@ -69,11 +70,14 @@ fn checked_count(source: &Source<'_>) -> Result<usize, ReadError> {
     };
     let (count, room) = ((claimed as usize - HEAD) / FACET, (source.length - HEAD) / FACET);
     if room < count {
-        return Err(source.malformed(end, format!("{count} facets are announced, there is room for {room}")));
+        let announced = one_or_many(count, "facet is", "facets are");
+        return Err(source.malformed(end, format!("{announced} announced, there is room for {room}")));
     }
     if room > count {
         let place = Place::Byte(HEAD as u64 - 4);
-        return Err(source.malformed(place, format!("{count} facets are announced, but {room} are there")));
+        let announced = one_or_many(count, "facet is", "facets are");
+        let there = one_or_many(room, "is", "are");
+        return Err(source.malformed(place, format!("{announced} announced, but {there} there")));
     }
     Ok(count)
 }

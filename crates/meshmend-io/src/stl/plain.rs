@@ -1,6 +1,6 @@
 //! The reader of STL as text. Facets that are laid out as usual are parsed ahead of it.
 
-use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values, VertexId};
+use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values, VertexId, counted};
 
 use std::collections::BTreeMap;
 
@@ -103,7 +103,7 @@ impl<'a> Reader<'a> {
         self.expect("endloop")?;
         self.expect("endfacet")?;
         if count < 3 {
-            return Err(self.wrong(start, &format!("a facet with {count} vertices")));
+            return Err(self.wrong(start, &format!("a facet with {}", counted(count, "vertex"))));
         }
         self.parts.faces.end_face();
         if let [a, b, c] = self.parts.positions[first..] {

@@ -171,7 +171,7 @@ fn streams_are_told_by_their_content() {
 fn errors_show_file_place_and_reason() {
     let error = read_bytes(b"v 0 0 0\nf 2\n", "mesh.obj", &ReadOptions::default()).unwrap_err();
     assert_eq!(error.place, Place::Line(2));
-    assert_eq!(error.to_string(), "mesh.obj: line 2: vertex 2 does not exist: the file has 1 vertices");
+    assert_eq!(error.to_string(), "mesh.obj: line 2: vertex 2 does not exist: the file has 1 vertex");
     let error = read(Path::new("/no/such/mesh.obj"), &ReadOptions::default()).unwrap_err();
     assert!(matches!(error.kind, ReadErrorKind::Io(_)));
     assert!(error.to_string().starts_with("/no/such/mesh.obj: "), "{error}");

@@ -73,7 +73,7 @@ fn texture_coordinates_are_written_where_they_are_alone() {
     let mesh = read("STNOFF\n1 0 0\n1 2 3 0 0 1 0.5 1\n").mesh;
     let (bytes, losses) = written(&mesh, Format::Off, Encoding::Ascii);
     assert_eq!(bytes, b"NOFF\n1 0 0\n1 2 3 0 0 1\n");
-    assert_eq!(losses[0].message, "vertex attribute `texcoord` of 1 vertices");
+    assert_eq!(losses[0].message, "vertex attribute `texcoord` of 1 vertex");
 }
 
 /// Many programs do not read such letters, but the one that wrote them does.
@@ -205,10 +205,10 @@ fn what_off_can_not_carry_is_named() {
         losses.iter().map(|l| (l.kind, l.count, &l.message[..])).collect();
     let expected = [
         (LossKind::Layer, 2, "corner attribute `normal` of 2 corners"),
-        (LossKind::Layer, 1, "face attribute `group` of 1 faces"),
-        (LossKind::LooseEdges, 1, "1 loose edges"),
-        (LossKind::LoosePoints, 1, "1 loose points"),
-        (LossKind::Metadata, 1, "1 statements `mtllib` about the file"),
+        (LossKind::Layer, 1, "face attribute `group` of 1 face"),
+        (LossKind::LooseEdges, 1, "1 loose edge"),
+        (LossKind::LoosePoints, 1, "1 loose point"),
+        (LossKind::Metadata, 1, "1 statement `mtllib` about the file"),
     ];
     assert_eq!(found, expected);
 }

@@ -2,7 +2,7 @@
 
 use crate::common::{assert_kept, faces, layer, note, read as read_as, refused as refused_as, written};
 use meshmend_core::{Carry, Domain, FaceTable, Layer, PolygonMesh, Values, VertexId};
-use meshmend_io::{Encoding, Format, LossKind, NoteKind, Place, ReadFile};
+use meshmend_io::{Encoding, Format, LossKind, NoteKind, Place, ReadFile, WriteOptions, encode};
 use ply_rs::{parser::Parser, ply::DefaultElement, ply::Property};
 
 fn read(bytes: impl AsRef<[u8]>) -> ReadFile {
@@ -440,7 +440,7 @@ fn what_ply_can_not_carry_is_named() {
         [(LossKind::Layer, 1), (LossKind::Names, 1), (LossKind::AbsentValue, 2), (LossKind::LoosePoints, 1)];
     assert_eq!(found, expected);
     assert!(String::from_utf8_lossy(&bytes).contains("\n1 0 0 nan\n"));
-    assert_eq!(losses[0].message, "face attribute `group` of 1 faces");
+    assert_eq!(losses[0].message, "face attribute `group` of 1 face");
 }
 
 #[test]
@@ -463,7 +463,7 @@ fn a_corner_without_a_value_beside_one_with_a_value_is_named() {
     let layer = Layer::indexed("heat", Domain::Corner, 1, Carry::Copy, Values::F32(vec![0.5]), uses);
     let losses = written(&mesh.with_layers(vec![layer]).unwrap(), Format::Ply, Encoding::Ascii).1;
     assert_eq!(losses.iter().map(|l| (l.kind, l.count)).collect::<Vec<_>>(), [(LossKind::AbsentValue, 1)]);
-    assert_eq!(losses[0].message, "that 1 corners have no corner attribute `heat`");
+    assert_eq!(losses[0].message, "that 1 corner has no corner attribute `heat`");
 }
 
 #[test]
@@ -513,4 +513,15 @@ fn no_two_layers_of_an_element_have_one_name() {
     assert_eq!(layer(&mesh, "texcoord", Domain::Corner).width(), 2);
     assert_eq!(layer(&mesh, "texcoord", Domain::Face).width(), 2);
     assert_kept_in_all(&mesh);
+}
+
+#[test]
+fn elements_of_one_name_keep_the_order_of_their_own_columns() {
+    let text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n\
+                element thing 1\nproperty int a\nproperty uchar b\nelement thing 1\nproperty uchar b\nproperty int a\n\
+                end_header\n0 0 0\n300 4\n5 600\n";
+    let file = read(text);
+    let mut bytes = Vec::new();
+    encode(&file.mesh, &WriteOptions::of(Format::Ply).as_read(&file), &mut bytes).unwrap();
+    assert_eq!(String::from_utf8_lossy(&bytes), text);
 }

@@ -1,6 +1,7 @@
 //! How the rows of text PLY may stand on lines: what is read, and which line an error names.
 
 use crate::common::{faces, note, read as read_as, refused as refused_as};
+use meshmend_core::counted;
 use meshmend_io::{Format, NoteKind, Place, ReadFile};
 
 const XYZ: &str = "property float x\nproperty float y\nproperty float z\n";
@@ -111,8 +112,9 @@ fn a_wrong_number_of_values_is_refused_with_its_line() {
 #[test]
 fn rows_that_are_missing_at_the_end_are_counted() {
     let missing = |row: u64, count: u64, name: &str| {
-        let verb = if row == 1 { "is" } else { "are" };
-        format!("the file ends early: {row} of {count} rows of element `{name}` {verb} there")
+        let verb = if row == 1 || count == 1 { "is" } else { "are" };
+        let rows = counted(count, "row");
+        format!("the file ends early: {row} of {rows} of element `{name}` {verb} there")
     };
     for (body, line, reason) in [
         ("", 1, missing(0, 3, "vertex")),
@@ -141,7 +143,7 @@ fn what_fails_further_on_is_told_with_the_first_odd_line() {
     let (_, why) = refused("", "0 0\n0 1 0 0\n0 1 0\n");
     assert_eq!(
         why,
-        format!("{first}; read across lines, the file ends early: 0 of 1 rows of element `face` are there")
+        format!("{first}; read across lines, the file ends early: 0 of 1 row of element `face` is there")
     );
     // A value that is wrong in a line with the right number of them is the reason itself.
     assert_eq!(refused("", "0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n"), (2, "`x` where a number belongs".to_owned()));
@@ -279,5 +281,5 @@ fn a_stitch_names_vertices_that_exist() {
     let text = format!(
         "ply\nformat ascii 1.0\nelement vertex 1\n{XYZ}element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n3 0 7 7\n"
     );
-    assert_eq!(refused_as(Format::Ply, text).1, "vertex 7 does not exist: the file has 1 vertices");
+    assert_eq!(refused_as(Format::Ply, text).1, "vertex 7 does not exist: the file has 1 vertex");
 }

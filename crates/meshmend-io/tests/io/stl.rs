@@ -65,7 +65,7 @@ fn a_count_that_does_not_fit_the_size_is_refused() {
     assert_eq!(refused(binary("", u32::MAX, 2)).1, "4294967295 facets are announced, there is room for 2");
     assert_eq!(
         refused(binary("", 1, 2)),
-        (Place::Byte(80), "1 facets are announced, but 2 are there".to_owned())
+        (Place::Byte(80), "1 facet is announced, but 2 are there".to_owned())
     );
     assert_eq!(refused(&binary("", 2, 2)[..183]).1, "2 facets are announced, there is room for 1");
     assert_eq!(refused(&binary("", 2, 2)[..83]).0, Place::Byte(83));
