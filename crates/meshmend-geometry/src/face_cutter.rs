@@ -1,7 +1,6 @@
 //! Cuts faces of a mesh into triangles that repeat no edge, and describes the mesh that comes of it.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 
 use meshmend_core::{
     Blend, CornerId, Draft, FaceId, FaceTableBuilder, FaceTableError, Id, PolygonMesh, Sources, VertexDraft,
@@ -9,6 +8,7 @@ use meshmend_core::{
 };
 
 use crate::polygon::{Avoid, Polygon, Triangle, triangulate_polygon};
+use crate::taken::{Diagonals, Edges};
 use crate::vector::Point;
 
 /// Where a new vertex on a diagonal is, and at which part of the way: numerator and denominator.
@@ -31,10 +31,10 @@ pub struct FaceCutter<'a> {
     mesh: &'a PolygonMesh,
     /// For each vertex the lowest one in its place.
     lowest: &'a [VertexId],
-    /// The ends of all edges, by their lowest vertices, the smaller first; sorted.
-    edges: Cow<'a, [[VertexId; 2]]>,
-    /// The ends of all diagonals.
-    diagonals: BTreeSet<[VertexId; 2]>,
+    /// All edges, by the lowest vertices in the places of their ends.
+    edges: Edges<'a>,
+    /// All diagonals, likewise.
+    diagonals: Diagonals,
     builder: FaceTableBuilder,
     face_sources: Vec<Option<FaceId>>,
     corner_sources: Vec<Option<CornerId>>,
@@ -57,8 +57,8 @@ impl<'a> FaceCutter<'a> {
         FaceCutter {
             mesh,
             lowest,
-            edges,
-            diagonals: BTreeSet::new(),
+            edges: Edges::new(edges, mesh.counts().vertices),
+            diagonals: Diagonals::none(mesh.counts().vertices),
             builder: FaceTableBuilder::default(),
             face_sources: Vec::new(),
             corner_sources: Vec::new(),
@@ -84,24 +84,49 @@ impl<'a> FaceCutter<'a> {
     /// *Cost*: O(log n).
     pub fn is_taken(&self, ends: [VertexId; 2]) -> bool {
         let ends = places_of(self.lowest, ends);
-        self.edges.binary_search(&ends).is_ok() || self.diagonals.contains(&ends)
+        self.edges.contains(ends) || self.diagonals.contains(ends)
     }
 
     /// Cuts a face, given as simple pieces by the places of their corners, into triangles.
     ///
     /// *Cost*: as for [`triangulate_polygon`], and O(log n) for each diagonal.
     pub fn cut(&mut self, face: FaceId, pieces: &[Vec<usize>], room: &mut dyn Room) {
+        if matches!(pieces, [piece] if piece[..] == [0, 1, 2, 3]) && self.cut_in_two(face) {
+            return;
+        }
         if pieces.len() > 1 {
             let vertices = self.mesh.faces().face_vertices(face);
             for piece in pieces {
                 let sides = piece.iter().zip(piece.iter().cycle().skip(1));
-                let ends = sides.map(|(&one, &other)| [vertices[one], vertices[other]]);
-                self.diagonals.extend(ends.map(|ends| places_of(self.lowest, ends)));
+                for (&one, &other) in sides {
+                    self.diagonals.insert(places_of(self.lowest, [vertices[one], vertices[other]]));
+                }
             }
         }
         for piece in pieces {
             self.cut_piece(face, piece, room);
         }
+    }
+
+    /// Cuts a whole face of four corners, as nearly all polygons are, if the better one of its diagonals is free: what
+    /// [`Self::cut_piece`] does, without a list. Tells whether it was cut.
+    fn cut_in_two(&mut self, face: FaceId) -> bool {
+        let mesh = self.mesh;
+        let Ok(vertices) = <[VertexId; 4]>::try_from(mesh.faces().face_vertices(face)) else { return false };
+        let points = vertices.map(|vertex| mesh.position(vertex));
+        let lowest = vertices.map(|vertex| self.lowest[vertex.index()]);
+        let polygon = Polygon { points: &points, vertices: &lowest };
+        let is_taken = |one: usize, other: usize| self.is_taken([vertices[one], vertices[other]]);
+        let (triangles, [one, other]) = polygon.in_two(Avoid::Folds, &is_taken);
+        let diagonal = places_of(self.lowest, [vertices[one], vertices[other]]);
+        if self.edges.contains(diagonal) || !self.diagonals.insert(diagonal) {
+            return false;
+        }
+        let first = mesh.faces().corner_range(face).start;
+        for triangle in triangles {
+            self.push(face, triangle.map(|at| NewCorner::Kept(CornerId::new(first + at), vertices[at])));
+        }
+        true
     }
 
     fn cut_piece(&mut self, face: FaceId, places: &[usize], room: &mut dyn Room) {
@@ -151,7 +176,7 @@ impl<'a> FaceCutter<'a> {
         }
         diagonals.retain(|ends| {
             let ends = places_of(self.lowest, ends.map(|at| vertices[at]));
-            self.edges.binary_search(&ends).is_ok() || !self.diagonals.insert(ends)
+            self.edges.contains(ends) || !self.diagonals.insert(ends)
         });
         diagonals.sort_unstable();
         (triangles, diagonals)

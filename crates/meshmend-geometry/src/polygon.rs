@@ -40,6 +40,18 @@ impl Polygon<'_> {
     fn vertex(&self, corner: usize) -> VertexId {
         self.vertices[corner]
     }
+
+    /// The triangles of a polygon of four corners, and the diagonal between them: those of [`triangulate_polygon`].
+    ///
+    /// *Cost*: constant.
+    pub(crate) fn in_two(
+        self,
+        avoid: Avoid,
+        is_taken: &dyn Fn(usize, usize) -> bool,
+    ) -> ([Triangle; 2], [usize; 2]) {
+        let normal = area_vector(self.points.iter().copied());
+        best_of_two(&Costs { polygon: self, avoid, is_taken, normal })
+    }
 }
 
 /// What a triangulation avoids first, after triangles that join two corners at one vertex.
@@ -171,6 +183,19 @@ impl Costs<'_> {
 /// Whether two places of a polygon are neighbours.
 fn are_neighbours(count: usize, one: usize, other: usize) -> bool {
     one.abs_diff(other) == 1 || one.abs_diff(other) == count - 1
+}
+
+/// The better of the two triangulations that four corners have, and its diagonal: what [`best_of_all`] finds.
+fn best_of_two(costs: &Costs<'_>) -> ([Triangle; 2], [usize; 2]) {
+    let cost = |[last, first]: [Triangle; 2], [one, other]: [usize; 2]| {
+        costs.of(first).plus(costs.of_side(one, other)).plus(costs.of(last))
+    };
+    let (first, second) = ([[0, 1, 3], [1, 2, 3]], [[0, 2, 3], [0, 1, 2]]);
+    let (cost_of_first, cost_of_second) = (cost(first, [1, 3]), cost(second, [0, 2]));
+    match costs.compared(&cost_of_second, &cost_of_first) {
+        Ordering::Less => (second, [0, 2]),
+        _ => (first, [1, 3]),
+    }
 }
 
 /// The cheapest triangulation of every range of corners, from short ranges to long ones.
@@ -316,6 +341,23 @@ mod tests {
     fn cut(points: &[Point], is_taken: &dyn Fn(usize, usize) -> bool) -> Vec<Triangle> {
         let vertices: Vec<VertexId> = (0..points.len() as u32).map(VertexId).collect();
         triangulate_polygon(Polygon { points, vertices: &vertices }, Avoid::Folds, is_taken)
+    }
+
+    #[test]
+    fn four_corners_are_cut_as_the_general_way_cuts_them() {
+        let at = |n: u32| [f64::from(n % 3), f64::from(n / 3 % 3), f64::from(n / 9)];
+        let vertices: Vec<VertexId> = (0..4).map(VertexId).collect();
+        for corners in (0..18_u32.pow(4)).step_by(7) {
+            let points = [0, 1, 2, 3].map(|place| at(corners / 18_u32.pow(place) % 18));
+            for taken in 0..8 {
+                let avoid = if taken > 3 { Avoid::Folds } else { Avoid::TakenDiagonals };
+                let is_taken = |one: usize, other: usize| taken >> ((one + other) / 4) & 1 == 1;
+                let polygon = Polygon { points: &points, vertices: &vertices };
+                let normal = area_vector(points.into_iter());
+                let costs = Costs { polygon, avoid, is_taken: &is_taken, normal };
+                assert_eq!(best_of_two(&costs).0.to_vec(), best_of_all(&costs).1, "{points:?}");
+            }
+        }
     }
 
     #[test]

@@ -2,7 +2,8 @@
 
 use meshmend_core::{Id, PolygonMesh};
 
-use crate::vector::{Point, area_vector, minus};
+use crate::places::{each_shared_place, place_bits};
+use crate::vector::{Point, area_vector, cross, dot, minus};
 
 /// What rounding to single precision does to the faces of a mesh and the vertices that they use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,17 +50,17 @@ impl Rounding {
         rounded: &[Point],
         faces: impl Iterator<Item = impl Iterator<Item = usize> + Clone>,
     ) -> Self {
+        let is_moved: Vec<bool> = points.iter().map(|&point| is_moved(point)).collect();
         let mut is_used = vec![false; points.len()];
         let mut emptied = 0;
         for face in faces {
             face.clone().for_each(|vertex| is_used[vertex] = true);
-            let is_touched = face.clone().any(|vertex| is_moved(points[vertex]));
+            let is_touched = face.clone().any(|vertex| is_moved[vertex]);
             let has_area = |points: &[Point]| has_area(face.clone().map(|vertex| points[vertex]));
             emptied += usize::from(is_touched && has_area(points) && !has_area(rounded));
         }
-        let used: Vec<usize> = (0..points.len()).filter(|&vertex| is_used[vertex]).collect();
-        let moved = used.iter().filter(|&&vertex| is_moved(points[vertex])).count();
-        Rounding { moved, joined: joined(&used, points, rounded), emptied }
+        let moved = is_used.iter().zip(&is_moved).filter(|&(used, moved)| *used && *moved).count();
+        Rounding { moved, joined: joined(&is_used, points, rounded), emptied }
     }
 }
 
@@ -68,18 +69,27 @@ fn is_moved(point: Point) -> bool {
 }
 
 /// How many more vertices are where a lower one is after rounding than before.
-fn joined(used: &[usize], points: &[Point], rounded: &[Point]) -> usize {
-    let bits = |point: Point| point.map(|x| (x + 0.0).to_bits());
-    let is_finite = |&&vertex: &&usize| rounded[vertex].iter().all(|x| x.is_finite());
-    let mut keys: Vec<_> =
-        used.iter().filter(is_finite).map(|&vertex| (bits(rounded[vertex]), bits(points[vertex]))).collect();
-    keys.sort_unstable();
-    let places = keys.chunk_by(|a, b| a.0 == b.0);
-    places.map(|place| place.windows(2).filter(|pair| pair[0].1 != pair[1].1).count()).sum()
+fn joined(is_used: &[bool], points: &[Point], rounded: &[Point]) -> usize {
+    let mut joined = 0;
+    each_shared_place(
+        rounded,
+        |vertex| is_used[vertex],
+        |vertices| {
+            let mut before: Vec<[u64; 3]> =
+                vertices.iter().map(|&vertex| place_bits(points[vertex])).collect();
+            before.sort_unstable();
+            before.dedup();
+            joined += before.len() - 1;
+        },
+    );
+    joined
 }
 
 /// Whether a polygon has an area vector that is neither zero nor beyond all numbers.
 fn has_area(corners: impl Iterator<Item = Point> + Clone) -> bool {
+    if has_clear_area(corners.clone()) {
+        return true;
+    }
     let Some(first) = corners.clone().next() else { return false };
     let spokes = corners.skip(1).map(|corner| minus(corner, first));
     let size = spokes.clone().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -88,6 +98,23 @@ fn has_area(corners: impl Iterator<Item = Point> + Clone) -> bool {
     }
     // Measured by its size, so that no product overflows or vanishes.
     area_vector(std::iter::once([0.0; 3]).chain(spokes.map(|spoke| spoke.map(|x| x / size)))) != [0.0; 3]
+}
+
+/// Whether the area vector is so large beside the sides that no rounding could have made it. That is seen at a look, and
+/// true of nearly all faces.
+fn has_clear_area(mut corners: impl Iterator<Item = Point>) -> bool {
+    const LEAST: f64 = 1e-16;
+    let Some(first) = corners.next() else { return false };
+    let (mut area, mut before, mut longest) = ([0.0; 3], [0.0; 3], 0.0_f64);
+    for corner in corners {
+        let spoke = minus(corner, first);
+        let part = cross(before, spoke);
+        area = [area[0] + part[0], area[1] + part[1], area[2] + part[2]];
+        longest = longest.max(dot(spoke, spoke));
+        before = spoke;
+    }
+    let is_plain = longest > 1e-60 && longest < 1e60;
+    is_plain && dot(area, area) > LEAST * longest * longest
 }
 
 #[cfg(test)]

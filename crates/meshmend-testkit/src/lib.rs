@@ -10,6 +10,7 @@
 //! * [`worlds`]: proptest strategies, and every small mesh there is.
 //! * [`laws`]: what must be true of any kernel, and of any change to a mesh.
 //! * [`assert_every_variant`]: that each variant of an error is raised by a case.
+//! * [`miscounted`]: where a message counts one of something as several.
 //!
 //! A test may panic, and so may this crate, which only tests use.
 
@@ -17,6 +18,7 @@
 
 pub mod damage;
 pub mod laws;
+mod miscounts;
 pub mod oracle;
 pub mod reference;
 pub mod shapes;
@@ -25,4 +27,5 @@ mod surgery;
 mod variants;
 pub mod worlds;
 
+pub use miscounts::miscounted;
 pub use soup::Soup;

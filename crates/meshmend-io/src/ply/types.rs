@@ -9,7 +9,9 @@ use crate::ply::shape::Declared;
 /// are in single precision, and `double` if not.
 pub(super) fn coordinate_types(mesh: &PolygonMesh, declared: Option<&Declared>) -> [Scalar; 3] {
     let is_single = |x: &f64| f64::from(*x as f32).to_bits() == x.to_bits();
-    let all_single = mesh.positions().iter().flatten().all(is_single);
+    // Block by block, so that no number waits for the one before it.
+    let is_block_single = |block: &[[f64; 3]]| block.iter().flatten().fold(true, |all, x| all & is_single(x));
+    let all_single = mesh.positions().chunks(256).all(is_block_single);
     let usual = if all_single { Scalar::F32 } else { Scalar::F64 };
     let mut types = [usual; 3];
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {

@@ -59,12 +59,66 @@ struct Rows<'a> {
 
 impl Rows<'_> {
     fn element(&mut self, mesh: &PolygonMesh, element: &Element<'_>) -> io::Result<()> {
-        if element.properties.is_empty() {
-            return Ok(());
+        match element.properties[..] {
+            [] => return Ok(()),
+            // What nearly all files are made of.
+            [
+                Property { source: Source::Coordinate(0), item, .. },
+                Property { source: Source::Coordinate(1), item: second, .. },
+                Property { source: Source::Coordinate(2), item: third, .. },
+            ] if item.has_fractions() && [second, third] == [item; 2] => return self.points(mesh, item),
+            [Property { source: Source::Indices(Scalar::U8), item: Scalar::I32 | Scalar::U32, .. }] => {
+                return self.polygons(mesh);
+            }
+            _ => {}
         }
         for row in 0..element.count {
             for property in &element.properties {
                 self.property(mesh, property, row);
+            }
+            self.end_row()?;
+        }
+        Ok(())
+    }
+
+    /// The vertices, where they have a point and nothing else, in one type of fractions.
+    fn points(&mut self, mesh: &PolygonMesh, item: Scalar) -> io::Result<()> {
+        for &point in mesh.positions() {
+            let single = point.map(|x| x as f32);
+            match (self.encoding, item) {
+                (Encoding::Ascii, _) => point.iter().for_each(|&x| self.real(item, x)),
+                (Encoding::LittleEndian, Scalar::F32) => {
+                    self.sink.bytes(single.map(f32::to_le_bytes).as_flattened());
+                }
+                (Encoding::LittleEndian, _) => self.sink.bytes(point.map(f64::to_le_bytes).as_flattened()),
+                (Encoding::BigEndian, Scalar::F32) => {
+                    self.sink.bytes(single.map(f32::to_be_bytes).as_flattened());
+                }
+                (Encoding::BigEndian, _) => self.sink.bytes(point.map(f64::to_be_bytes).as_flattened()),
+            }
+            self.end_row()?;
+        }
+        Ok(())
+    }
+
+    /// The faces, where they have vertices and nothing else: a byte that counts them, and four bytes each.
+    fn polygons(&mut self, mesh: &PolygonMesh) -> io::Result<()> {
+        const LONGEST: usize = 15;
+        for face in mesh.faces().faces() {
+            let vertices = mesh.faces().face_vertices(face);
+            if self.encoding == Encoding::Ascii || vertices.len() > LONGEST {
+                self.whole(Scalar::U8, vertices.len() as i64);
+                vertices.iter().for_each(|vertex| self.whole(Scalar::U32, i64::from(vertex.0)));
+            } else {
+                let mut row = [0; 1 + 4 * LONGEST];
+                row[0] = vertices.len() as u8;
+                for (slot, vertex) in row[1..].as_chunks_mut::<4>().0.iter_mut().zip(vertices) {
+                    *slot = match self.encoding {
+                        Encoding::BigEndian => vertex.0.to_be_bytes(),
+                        _ => vertex.0.to_le_bytes(),
+                    };
+                }
+                self.sink.bytes(&row[..1 + 4 * vertices.len()]);
             }
             self.end_row()?;
         }

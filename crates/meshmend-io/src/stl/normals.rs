@@ -114,18 +114,61 @@ fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {
 /// A number, not always to its last bit, as only a direction is asked of it; what is no plain number has no direction.
 #[inline]
 pub(super) fn roughly(word: &[u8]) -> f64 {
-    let (is_negative, mut rest) = match word {
+    let (is_negative, digits) = match word {
         [b'-', rest @ ..] => (true, rest),
         [b'+', rest @ ..] => (false, rest),
         rest => (false, rest),
     };
-    let (mut digits, mut scale, mut is_after_point, mut any) = (0_u64, 0_i32, false, false);
+    let mantissa = if digits.len() <= MOST_DIGITS { short_mantissa(digits) } else { long_mantissa(digits) };
+    let Some((whole, scale, rest)) = mantissa else { return f64::NAN };
+    let exponent = match rest {
+        [] => Some(0),
+        [b'e' | b'E', exponent @ ..] => {
+            std::str::from_utf8(exponent).ok().and_then(|exponent| exponent.parse::<i16>().ok())
+        }
+        _ => None,
+    };
+    let Some(exponent) = exponent else { return f64::NAN };
+    let value = whole as f64 * power_of_ten(scale.saturating_add(i32::from(exponent)));
+    if is_negative { -value } else { value }
+}
+
+/// So many digits are a whole number of 64 bits.
+const MOST_DIGITS: usize = 19;
+
+/// The digits before an exponent as a whole number, with the power of ten by which it is to be multiplied, and what follows.
+type Mantissa<'a> = (u64, i32, &'a [u8]);
+
+/// That of a word of few bytes, in which no digit is too many.
+#[inline]
+fn short_mantissa(word: &[u8]) -> Option<Mantissa<'_>> {
+    let (mut whole, mut point, mut end) = (0_u64, None, 0);
+    for &byte in word {
+        let digit = byte.wrapping_sub(b'0');
+        if digit < 10 {
+            whole = 10 * whole + u64::from(digit);
+        } else if byte == b'.' && point.is_none() {
+            point = Some(end);
+        } else {
+            break;
+        }
+        end += 1;
+    }
+    let after_point = point.map_or(0, |point| end - point - 1);
+    let digits = end - usize::from(point.is_some());
+    (digits > 0).then(|| (whole, -(after_point as i32), &word[end..]))
+}
+
+/// That of any word: digits beyond those that matter are counted alone.
+#[cold]
+fn long_mantissa(mut rest: &[u8]) -> Option<Mantissa<'_>> {
+    let (mut whole, mut scale, mut is_after_point, mut any) = (0_u64, 0_i32, false, false);
     while let [byte, after @ ..] = rest {
         match byte {
             b'0'..=b'9' => {
                 any = true;
-                if digits < 1 << 56 {
-                    digits = 10 * digits + u64::from(byte - b'0');
+                if whole < 1 << 56 {
+                    whole = 10 * whole + u64::from(byte - b'0');
                     scale -= i32::from(is_after_point);
                 } else {
                     scale += i32::from(!is_after_point);
@@ -136,16 +179,7 @@ pub(super) fn roughly(word: &[u8]) -> f64 {
         }
         rest = after;
     }
-    let exponent = match rest {
-        [] => Some(0),
-        [b'e' | b'E', exponent @ ..] => {
-            std::str::from_utf8(exponent).ok().and_then(|exponent| exponent.parse::<i16>().ok())
-        }
-        _ => None,
-    };
-    let (Some(exponent), true) = (exponent, any) else { return f64::NAN };
-    let value = digits as f64 * power_of_ten(scale.saturating_add(i32::from(exponent)));
-    if is_negative { -value } else { value }
+    any.then_some((whole, scale, rest))
 }
 
 #[inline]

@@ -3,12 +3,14 @@
 use std::collections::BTreeSet;
 use std::io;
 
-use meshmend_core::{FaceId, Id, PolygonMesh, VertexId, distinct_count};
+use meshmend_core::{FaceId, Id, PolygonMesh, VertexId, counted, distinct_count};
+use meshmend_geometry::places::{each_shared_place, place_bits};
 use meshmend_geometry::polygon::{Polygon, has_hole, simple_pieces};
 use meshmend_geometry::vector::Point;
 use meshmend_geometry::words::WordSplitter;
 use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
 
+use crate::text::one_or_many;
 use crate::{Encoding, Loss, LossKind, Prepared, WriteErrorKind};
 
 /// Cuts every face of more than three corners into triangles that repeat no edge by position, and names what that loses.
@@ -44,20 +46,16 @@ pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind
 }
 
 /// For each vertex the lowest one at the same position; what is not finite equals nothing.
-fn lowest_in_place(positions: &[[f64; 3]]) -> Vec<VertexId> {
+fn lowest_in_place(positions: &[Point]) -> Vec<VertexId> {
     let mut lowest: Vec<VertexId> = (0..positions.len()).map(VertexId::new).collect();
-    let mut order: Vec<VertexId> =
-        lowest.iter().copied().filter(|v| positions[v.index()].iter().all(|x| x.is_finite())).collect();
-    order.sort_unstable_by_key(|&vertex| (place(positions[vertex.index()]), vertex));
-    for run in order.chunk_by(|one, other| place(positions[one.index()]) == place(positions[other.index()])) {
-        run.iter().for_each(|vertex| lowest[vertex.index()] = run[0]);
-    }
+    each_shared_place(
+        positions,
+        |_| true,
+        |place| {
+            place.iter().for_each(|&vertex| lowest[vertex] = VertexId::new(place[0]));
+        },
+    );
     lowest
-}
-
-/// A position as bits, −0 being 0.
-fn place(point: [f64; 3]) -> [u64; 3] {
-    point.map(|x| (x + 0.0).to_bits())
 }
 
 /// Faces as simple pieces.
@@ -109,26 +107,28 @@ impl Simplifier<'_> {
 
 impl Found {
     fn losses(self, created: usize) -> impl Iterator<Item = Loss> {
-        let faces = |count: usize| if count == 1 { "face" } else { "faces" };
         let cut = Loss::if_any(LossKind::Polygons, self.polygons - self.empty, |n| {
-            let mut message = format!("{n} {} of more than three corners: cut into triangles", faces(n));
+            let mut message =
+                format!("{} of more than three corners: cut into triangles", counted(n, "face"));
             if self.with_holes > 0 {
                 let holes = if self.with_holes == 1 { "a hole" } else { "holes" };
-                let (count, faces) = (self.with_holes, faces(self.with_holes));
-                message.push_str(&format!(", {count} {faces} with {holes} left open"));
+                let faces = counted(self.with_holes, "face");
+                message.push_str(&format!(", {faces} with {holes} left open"));
             }
-            match created {
-                0 => {}
-                1 => message.push_str(", with 1 vertex more"),
-                n => message.push_str(&format!(", with {n} vertices more")),
+            if created > 0 {
+                message.push_str(&format!(", with {} more", counted(created, "vertex")));
             }
             message
         });
         let crossing = Loss::if_any(LossKind::Polygons, self.crossing, |n| {
-            format!("{n} {} with a hole and a rim that crosses itself: the hole is filled", faces(n))
+            format!("{} with a hole and a rim that crosses itself: the hole is filled", counted(n, "face"))
         });
         let empty = Loss::if_any(LossKind::ShortFaces, self.empty, |n| {
-            format!("{n} {} of more than three corners that bound nothing", faces(n))
+            one_or_many(
+                n,
+                "face of more than three corners that bounds nothing",
+                "faces of more than three corners that bound nothing",
+            )
         });
         [cut, crossing, empty].into_iter().flatten()
     }
@@ -147,10 +147,10 @@ impl BesideMesh<'_> {
     /// The first point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way at which there is no vertex.
     fn first_free(&mut self, ends: [Point; 2]) -> Option<OnDiagonal> {
         let positions = self.mesh.positions();
-        let taken = self.taken.get_or_insert_with(|| positions.iter().copied().map(place).collect());
+        let taken = self.taken.get_or_insert_with(|| positions.iter().copied().map(place_bits).collect());
         let ratios = (2..=64).flat_map(|d| (1..d).map(move |n| (n, d)));
         let mut points = ratios.map(|ratio| (stored(self.encoding, ends, ratio), ratio));
-        points.find(|(point, _)| !taken.contains(&place(*point)))
+        points.find(|(point, _)| !taken.contains(&place_bits(*point)))
     }
 }
 
@@ -162,7 +162,7 @@ impl Room for BesideMesh<'_> {
         let middle = (stored(self.encoding, ends, (1, 2)), (1, 2));
         let (point, ratio) = self.first_free(ends).unwrap_or(middle);
         self.taken.iter_mut().for_each(|taken| {
-            taken.insert(place(point));
+            taken.insert(place_bits(point));
         });
         self.created += 1;
         (point, ratio)

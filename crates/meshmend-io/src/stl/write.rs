@@ -2,13 +2,14 @@
 
 use std::io;
 
-use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId};
+use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId, counted};
+use meshmend_geometry::places::each_shared_place;
 
 use crate::layers::{absent, absent_loss, layer_losses, layer_of, loose_losses, metadata_losses};
 use crate::sink::Sink;
 use crate::stl::normals::unit_normal;
 use crate::stl::{ATTRIBUTE, HEAD, HEADER, SOLID, names};
-use crate::text::trimmed;
+use crate::text::{one_or_many, trimmed};
 use crate::{Encoding, Format, Loss, LossKind, Prepared, WriteErrorKind};
 
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
@@ -185,7 +186,9 @@ fn name_losses(mesh: &PolygonMesh, is_text: bool) -> Option<Loss> {
         let headers = mesh.metadata().iter().filter(|m| m.key == HEADER);
         headers.filter(|m| m.value.len() > HEAD - 4).count()
     };
-    Loss::if_any(LossKind::Names, other, |n| format!("{n} names are spelled otherwise"))
+    Loss::if_any(LossKind::Names, other, |n| {
+        one_or_many(n, "name is spelled otherwise", "names are spelled otherwise")
+    })
 }
 
 fn geometry_losses(prepared: &Prepared) -> Vec<Loss> {
@@ -198,13 +201,15 @@ fn geometry_losses(prepared: &Prepared) -> Vec<Loss> {
     let unused = uses.iter().filter(|&&uses| uses == 0).count();
     [
         Loss::if_any(LossKind::ShortFaces, sizes.filter(|&n| n < 3).count(), |n| {
-            format!("{n} faces of fewer than three corners")
+            format!("{} of fewer than three corners", counted(n, "face"))
         }),
-        Loss::if_any(LossKind::UnusedVertices, unused, |n| format!("{n} vertices that no face uses")),
+        Loss::if_any(LossKind::UnusedVertices, unused, |n| {
+            format!("{} that no face uses", counted(n, "vertex"))
+        }),
         Loss::if_any(LossKind::SharedVertices, parted_vertices(prepared, &uses), |n| {
-            format!(
-                "that {n} vertices are not those at the same point: without indices they become one again"
-            )
+            let (vertices, those) =
+                (counted(n, "vertex"), if n == 1 { "is not the one" } else { "are not those" });
+            format!("that {vertices} {those} at the same point: without indices they become one again")
         }),
     ]
     .into_iter()
@@ -219,15 +224,12 @@ fn parted_vertices(prepared: &Prepared, uses: &[u32]) -> usize {
     if is_from_stl && uses.iter().all(|&uses| uses < 2) {
         return 0;
     }
-    let used = prepared.mesh.positions().iter().zip(uses).filter(|&(_, &uses)| uses > 0).map(|(p, _)| p);
+    let mut coincident = 0;
+    each_shared_place(
+        prepared.mesh.positions(),
+        |vertex| uses[vertex] > 0,
+        |place| coincident += place.len() - 1,
+    );
     let joined = prepared.losses.iter().filter(|loss| loss.kind == LossKind::JoinedVertices);
-    coincident(used).saturating_sub(joined.map(|loss| loss.count as usize).sum())
-}
-
-/// How many points are where an earlier one is.
-fn coincident<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> usize {
-    let finite = points.filter(|p| p.iter().all(|x| x.is_finite()));
-    let mut keys: Vec<[u64; 3]> = finite.map(|point| point.map(|x| (x + 0.0).to_bits())).collect();
-    keys.sort_unstable();
-    keys.windows(2).filter(|pair| pair[0] == pair[1]).count()
+    coincident.saturating_sub(joined.map(|loss| loss.count as usize).sum())
 }

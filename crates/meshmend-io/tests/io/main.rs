@@ -6,6 +6,7 @@ mod blocks;
 mod common;
 mod corpus;
 mod formats;
+mod messages;
 mod obj;
 mod obj_companions;
 mod obj_kept;
