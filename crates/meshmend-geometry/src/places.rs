@@ -13,7 +13,7 @@ pub fn place_bits(point: Point) -> [u64; 3] {
 pub fn each_shared_place(
     points: &[Point],
     is_asked: impl Fn(usize) -> bool,
-    mut found: impl FnMut(&[usize]),
+    found: impl FnMut(&[usize]),
 ) {
     let asked = (0..points.len()).filter(|&at| is_asked(at) && points[at].iter().all(|x| x.is_finite()));
     let (mut once, mut again) = (Marks::for_count(points.len()), Marks::for_count(points.len()));
@@ -27,7 +27,7 @@ pub fn each_shared_place(
     let mut perhaps: Vec<usize> = asked.filter(|&at| again.is_set(again.mark_of(points[at]))).collect();
     perhaps.sort_unstable_by_key(|&at| (place_bits(points[at]), at));
     let places = perhaps.chunk_by(|&one, &other| place_bits(points[one]) == place_bits(points[other]));
-    places.filter(|place| place.len() > 1).for_each(|place| found(place));
+    places.filter(|place| place.len() > 1).for_each(found);
 }
 
 /// A bit for each of many marks, eight marks or more a point.
