@@ -10,11 +10,7 @@ pub fn place_bits(point: Point) -> [u64; 3] {
 /// Gives each set of several finite points at one place, of those that are asked about: their numbers, ascending.
 ///
 /// *Cost*: linear where few places are shared; else n log n. Two bytes a point.
-pub fn each_shared_place(
-    points: &[Point],
-    is_asked: impl Fn(usize) -> bool,
-    found: impl FnMut(&[usize]),
-) {
+pub fn each_shared_place(points: &[Point], is_asked: impl Fn(usize) -> bool, found: impl FnMut(&[usize])) {
     let asked = (0..points.len()).filter(|&at| is_asked(at) && points[at].iter().all(|x| x.is_finite()));
     let (mut once, mut again) = (Marks::for_count(points.len()), Marks::for_count(points.len()));
     for at in asked.clone() {
