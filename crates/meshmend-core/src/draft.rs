@@ -115,7 +115,7 @@ pub struct Loose {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum DraftError {
     /// A list has not one entry for each element.
-    #[error("of {what} a draft has {found} and needs {expected}")]
+    #[error("a draft has {found} {what}, but {expected} are needed")]
     Count {
         /// Which list.
         what: &'static str,

@@ -43,7 +43,8 @@ impl Marks {
             let product = (mixed ^ bits).wrapping_mul(ODD);
             product ^ product >> 32
         });
-        mixed as usize & (64 * self.words.len() - 1)
+        // Points that differ in signs alone differ in high bits alone.
+        (mixed.wrapping_mul(ODD) >> 32) as usize & (64 * self.words.len() - 1)
     }
 
     /// Sets a mark; tells whether it was set already.

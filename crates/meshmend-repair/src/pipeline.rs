@@ -422,7 +422,7 @@ mod tests {
                 FaceTable::triangles(MAX_CORNERS, Vec::new()).unwrap_err().into(),
                 "2147483648 vertices are more than the 2147483648 that a table holds",
             ),
-            (mesh.rebuild(wrong).unwrap_err().into(), "of corner sources a draft has 2 and needs 3"),
+            (mesh.rebuild(wrong).unwrap_err().into(), "a draft has 2 corner sources, but 3 are needed"),
         ];
         assert_every_variant!(
             cases,
