@@ -92,6 +92,16 @@ fn notes_fail_only_when_they_are_named() {
 }
 
 #[test]
+fn what_fails_a_check_is_listed() {
+    let folder = Folder::new();
+    let quad = folder.with("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    assert!(!meshmend(&["check", &quad]).succeeds().stdout.contains("(polygon-face)"));
+    let run = meshmend(&["check", &quad, "--fail-on", "polygon-face,loose-edge"]);
+    assert!(run.status == 1 && run.stdout.contains("f0 has 4 corners, at"), "{}", run.stdout);
+    assert!(!run.stdout.contains("loose-edge"), "{}", run.stdout);
+}
+
+#[test]
 fn a_file_without_indices_is_judged_as_welded() {
     let soup = example("soup.stl");
     let check =

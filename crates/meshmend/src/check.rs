@@ -47,6 +47,8 @@ pub struct CheckReport {
     /// The vertices that exact welding would join to a lower one; nothing where the view is welded.
     coincident: Vec<(VertexId, VertexId)>,
     rules: Rules,
+    /// The kinds that are listed because they were asked for.
+    asked: Vec<DefectKind>,
     /// What was found by rules that are not meshmend's own.
     own: Vec<(DefectKind, Vec<Defect>)>,
 }
@@ -146,10 +148,17 @@ impl CheckReport {
             joined_in_single,
             coincident,
             rules,
+            asked: Vec::new(),
             own,
         };
         report.kernels = KernelKind::ALL.iter().map(|&kernel| report.verdict(kernel)).collect();
         report
+    }
+
+    /// The report with these kinds listed where they occur, also those that are not listed unasked.
+    #[must_use]
+    pub fn listing(self, kinds: &[DefectKind]) -> Self {
+        CheckReport { asked: kinds.to_vec(), ..self }
     }
 
     /// Whether nothing is wrong: no defect of any kind but notes.
@@ -189,11 +198,15 @@ impl CheckReport {
         }
     }
 
-    /// The kinds that occur and that a report lists unasked, in order.
+    /// The kinds that occur and that a report lists, in order.
     pub fn listed_kinds(&self) -> impl Iterator<Item = DefectKind> + '_ {
         let unasked =
             |kind: &DefectKind| !matches!(kind.rule().listed, Listed::OnRequest | Listed::AlreadyBy(_));
-        self.rules.kinds().filter(unasked).filter(|&kind| self.count(kind) > 0)
+        let asked = |kind: &DefectKind| self.asked.contains(kind);
+        self.rules
+            .kinds()
+            .filter(move |kind| unasked(kind) || asked(kind))
+            .filter(|&kind| self.count(kind) > 0)
     }
 
     /// The vertex as stored that a vertex of the mesh is.
@@ -234,7 +247,7 @@ impl StoredCounts {
 
 #[cfg(test)]
 mod tests {
-    use meshmend_core::{FaceId, FaceTableBuilder, admission};
+    use meshmend_core::{Element, FaceId, FaceTableBuilder, Rule, admission};
 
     use super::*;
 
@@ -323,6 +336,45 @@ mod tests {
         assert!(report.is_sound());
         let faces: Vec<_> = report.defects_of_kind(DefectKind::PolygonFace).collect();
         assert_eq!(faces, [Defect::polygon_face(FaceId(0), 4)]);
+    }
+
+    #[test]
+    fn what_is_not_listed_unasked_is_listed_where_it_is_asked_for() {
+        let quad = mesh(&spread(4), &[&[0, 1, 2, 3]]);
+        let asked = [DefectKind::PolygonFace, DefectKind::LooseEdge];
+        let report = check(&quad, &CheckOptions::default()).unwrap();
+        assert!(!report.listed_kinds().any(|kind| kind == DefectKind::PolygonFace));
+        let kinds: Vec<_> = report.listing(&asked).listed_kinds().collect();
+        assert_eq!(kinds, [DefectKind::PolygonFace, DefectKind::BoundaryEdge]);
+    }
+
+    #[test]
+    fn a_rule_of_ones_own_is_found_counted_and_fails_a_check() {
+        const EVEN: Rule = Rule {
+            code: "even-vertex",
+            title: "even vertices",
+            severity: Severity::Defect,
+            explanation: "The number of the vertex is even.",
+            found: Found::InMesh(even),
+            listed: Listed::Unasked,
+            counts: None,
+            sentence: "{at} is even",
+        };
+        fn even(mesh: &PolygonMesh) -> Defects<'_> {
+            let even = (0..mesh.positions().len() as u32).step_by(2).map(VertexId);
+            Box::new(even.map(|vertex| Defect::new(DefectKind::Own(&EVEN), Element::Vertex(vertex))))
+        }
+        const NEVER: Rule = Rule { code: "never-found", found: Found::ByWelding, ..EVEN };
+        let rules = Rules::with(&[&EVEN, &NEVER]).unwrap();
+        let (own, never) = (DefectKind::Own(&EVEN), DefectKind::Own(&NEVER));
+        let stacked = mesh(&[[0.0; 3]; 3], &[&[0, 1, 2]]);
+        let report = check(&stacked, &CheckOptions { rules, ..CheckOptions::default() }).unwrap();
+        assert_eq!((report.count(own), report.count(never)), (2, 0));
+        assert!(!report.is_sound());
+        assert_eq!(report.listed_kinds().last(), Some(own));
+        let report = check(&stacked, &CheckOptions::default()).unwrap();
+        assert!(report.is_sound());
+        assert_eq!(report.count(own), 0);
     }
 
     #[test]

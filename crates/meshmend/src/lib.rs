@@ -79,6 +79,38 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! **Kinds of defect** are rules, and a check takes further ones: all that is said of a kind is in one place.
+//!
+//! ```
+//! use meshmend::core::{Defects, Found, Id, Listed};
+//! use meshmend::{CheckOptions, Defect, DefectKind, Element, PolygonMesh, Rule, Rules, Severity, VertexId, check};
+//! # use meshmend::FaceTable;
+//!
+//! const BELOW: Rule = Rule {
+//!     code: "vertex-below-ground",
+//!     title: "vertices below the ground",
+//!     severity: Severity::Defect,
+//!     explanation: "The vertex has a negative height, so it can't be printed.",
+//!     found: Found::InMesh(find),
+//!     listed: Listed::Unasked,
+//!     counts: None,
+//!     sentence: "{at} is below the ground",
+//! };
+//!
+//! fn find(mesh: &PolygonMesh) -> Defects<'_> {
+//!     let below = mesh.positions().iter().enumerate().filter(|(_, position)| position[2] < 0.0);
+//!     Box::new(below.map(|(v, _)| Defect::new(DefectKind::Own(&BELOW), Element::Vertex(VertexId::new(v)))))
+//! }
+//!
+//! # let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec())?;
+//! # let mesh = PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, -2.0]], faces)?;
+//! let options = CheckOptions { rules: Rules::with(&[&BELOW])?, ..CheckOptions::default() };
+//! let report = check(&mesh, &options)?;
+//! let defect = report.defects_of_kind(DefectKind::Own(&BELOW)).next();
+//! assert_eq!(defect.map(|defect| defect.to_string()).as_deref(), Some("v2 is below the ground"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints.
 //!
 //! The parts are whole crates of their own, here under [`core`](mod@core), [`kernels`], [`topology`],

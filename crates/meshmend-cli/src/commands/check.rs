@@ -42,7 +42,7 @@ pub(crate) struct Check {
     /// How many items each list shows at most, also in JSON; counts are always whole
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
-    /// Kinds of defect that fail the check beside those that always do; `explain` lists them
+    /// Kinds of defect that fail the check beside those that always do, and are listed; `explain` lists them
     #[arg(long, value_name = "KIND", value_delimiter = ',')]
     fail_on: Vec<String>,
 }
@@ -115,7 +115,8 @@ impl Check {
             CheckOptions { view, kernel: self.kernel, witness: self.witness.into(), rules: asked.rules };
         let report = check(&file.mesh, &options).map_err(|error| Failure::of_pass(&name(path), &error))?;
         let status = if asked.is_failing(&report) { Status::DefectsFound } else { Status::Done };
-        let document = CheckDocument::new(report, self.limit).of_file(name(path), &file);
+        let document =
+            CheckDocument::new(report.listing(&asked.fail_on), self.limit).of_file(name(path), &file);
         Ok((document, status))
     }
 
