@@ -65,7 +65,9 @@ fn of_one(words: &[&str]) -> Option<String> {
     let ends = |word: &str| word.chars().find(|c| !is_letter(*c)).is_some();
     for (place, word) in others.iter().take(MOST_ADJECTIVES + 1).enumerate() {
         let noun = word.trim_end_matches(|c| !is_letter(c));
-        if COUNTED.contains(&noun) {
+        // `edge 1 names vertex 2`
+        let is_verb = noun == "names" && others.get(place + 1).is_some_and(|next| next.starts_with("vert"));
+        if COUNTED.contains(&noun) && !is_verb {
             return Some(words[..place + 2].join(" "));
         }
         let is_no_adjective =
@@ -94,6 +96,7 @@ mod tests {
             ("row 1 of 3 faces", None),
             ("loose edge 1 names vertices", None),
             ("1 face, sides", None),
+            ("1 names are", Some("1 names")),
             ("1", None),
         ] {
             assert_eq!(miscounted(text).as_deref(), found, "{text}");
