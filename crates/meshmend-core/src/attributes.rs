@@ -207,6 +207,17 @@ impl Layer {
         Layer { home: Domain::Vertex, vertex_uses, ..self }
     }
 
+    /// A layer of vertices as it is read when each of them was stored with its value: NaN or 0 where it has none. Others stay as
+    /// they are, and so do lists.
+    pub(crate) fn stored_with_vertices(self) -> Self {
+        let values = (0..self.element_count()).map(|vertex| self.value_of(vertex));
+        let is_of_vertices = self.domain == Domain::Vertex;
+        let Some(values) = is_of_vertices.then(|| self.values.picked(values, self.width)).flatten() else {
+            return self;
+        };
+        Layer::direct(self.name, Domain::Vertex, self.width, self.carry, values).with_role(self.role)
+    }
+
     /// The vertex as stored that had the value which a corner uses, if that can be told.
     pub(crate) fn stored_vertex(&self, corner: CornerId) -> Option<u32> {
         self.value_of(corner.index()).filter(|&value| value < self.stored_vertices).map(|value| value as u32)

@@ -33,7 +33,28 @@ impl PolygonMesh {
         mesh.rebuild(draft)
     }
 
-    /// The mesh with these layers at home on the vertices, so that they return there when no vertex differs in them.
+    /// The mesh whose vertices [`split_for_vertex_layers`](Self::split_for_vertex_layers) made, with these layers, as it is
+    /// when it was stored and read again: by the given draft, with a value of each layer at each vertex.
+    ///
+    /// # Errors
+    /// When the draft does not describe a mesh.
+    ///
+    /// *Cost*: linear in the mesh and its layers.
+    pub fn rebuilt_with_vertex_layers(
+        &self,
+        layers: &[usize],
+        draft: Draft,
+    ) -> Result<(PolygonMesh, Provenance), DraftError> {
+        let (mesh, record) = self.with_home_at_vertices(layers)?.rebuild(draft)?;
+        let mut stored = mesh.layers().to_vec();
+        for &at in layers {
+            stored[at] = stored[at].clone().stored_with_vertices();
+        }
+        Ok((mesh.with_layers(stored)?, record))
+    }
+
+    /// The mesh with these layers, by their places, at home on the vertices, so that they return there when no vertex
+    /// differs in them.
     fn with_home_at_vertices(&self, layers: &[usize]) -> Result<PolygonMesh, DraftError> {
         let vertex_count = self.counts().vertices;
         let mut all = self.layers().to_vec();

@@ -110,6 +110,35 @@ impl Values {
         }
     }
 
+    /// A pool of these values in this order, each of so many numbers; where there is none NaN, or 0 or an empty name in types
+    /// that have no NaN. Nothing for lists.
+    pub(crate) fn picked(&self, order: impl Iterator<Item = Option<usize>>, width: usize) -> Option<Values> {
+        macro_rules! pick {
+            ($kind:ident, $values:expr, $absent:expr) => {{
+                let mut picked = Vec::with_capacity(order.size_hint().0 * width);
+                for value in order {
+                    match value.map(|value| value * width) {
+                        Some(at) => picked.extend_from_slice(&$values[at..at + width]),
+                        None => picked.extend(std::iter::repeat_n($absent, width)),
+                    }
+                }
+                Some(Values::$kind(picked))
+            }};
+        }
+        match self {
+            Values::I8(v) => pick!(I8, v, 0),
+            Values::U8(v) => pick!(U8, v, 0),
+            Values::I16(v) => pick!(I16, v, 0),
+            Values::U16(v) => pick!(U16, v, 0),
+            Values::I32(v) => pick!(I32, v, 0),
+            Values::U32(v) => pick!(U32, v, 0),
+            Values::F32(v) => pick!(F32, v, f32::NAN),
+            Values::F64(v) => pick!(F64, v, f64::NAN),
+            Values::Text(v) => pick!(Text, v, Vec::new()),
+            Values::Lists { .. } => None,
+        }
+    }
+
     /// Appends the values from a place on, those with the opposite sign that `is_turned` tells by their place.
     pub(crate) fn push_turned(&mut self, at: usize, width: usize, is_turned: impl Fn(usize) -> bool) {
         macro_rules! push {

@@ -33,6 +33,8 @@ pub struct Prepared {
     pub(crate) losses: Vec<Loss>,
     /// Where its elements were as given, where vertices are written more than once or faces are cut.
     pub(crate) record: Option<Provenance>,
+    /// The layers that were brought from the corners to the vertices, by their places.
+    pub(crate) at_vertices: Vec<usize>,
 }
 
 impl Prepared {
@@ -46,7 +48,15 @@ impl Prepared {
     pub fn new(mesh: &PolygonMesh, options: &WriteOptions) -> Result<Self, WriteErrorKind> {
         let (format, encoding) = options.resolved()?;
         let (mesh, options) = (mesh.clone(), options.clone());
-        let mut prepared = Prepared { mesh, format, encoding, options, losses: Vec::new(), record: None };
+        let mut prepared = Prepared {
+            mesh,
+            format,
+            encoding,
+            options,
+            losses: Vec::new(),
+            record: None,
+            at_vertices: Vec::new(),
+        };
         (format.driver().prepare)(&mut prepared)?;
         Ok(prepared)
     }
@@ -67,7 +77,7 @@ impl Prepared {
     }
 
     /// The mesh that was given with the vertices and faces that it will be read with, and where those were; nothing if
-    /// they are written as they are. Its layers are as they were given.
+    /// they are written as they are. Its layers are as they were given, but for their home.
     ///
     /// # Errors
     /// When it is not the mesh that was made ready.
@@ -84,7 +94,9 @@ impl Prepared {
             vertex_sources: record.vertices.clone(),
             ..Draft::of_faces(given, self.mesh.faces().clone(), faces, corners)
         };
-        given.rebuild(draft).map(Some)
+        let is_given = |&at: &usize| at < given.layers().len();
+        let moved: Vec<usize> = self.at_vertices.iter().copied().filter(is_given).collect();
+        given.rebuilt_with_vertex_layers(&moved, draft).map(Some)
     }
 
     /// What the file won't carry.

@@ -26,6 +26,7 @@ impl Prepared {
         if self.options.seams == Seams::Fail && parts.vertices > 0 {
             return Err(WriteErrorKind::Seams { vertices: parts.vertices as u64 });
         }
+        self.at_vertices.extend_from_slice(layers);
         if parts.vertices > 0 {
             let whole = match self.record.take() {
                 Some(before) => before.then(&record, self.mesh.faces(), mesh.faces()),

@@ -62,6 +62,18 @@ pub struct Clearance {
     pub tolerance: f64,
     /// What becomes of vertices that no face uses.
     pub unused: Unused,
+    /// Where vertices go that tell edges apart.
+    pub subdivision: Subdivision,
+}
+
+/// Where the vertices go that are put into edges which would coincide.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Subdivision {
+    /// Those of edges at one place into one point: they are told apart by what names them.
+    #[default]
+    InOnePoint,
+    /// Each into a point of its own, as a later weld joins what is at one.
+    InOwnPoints,
 }
 
 /// What becomes of vertices that no face uses.

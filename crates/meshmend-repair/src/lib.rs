@@ -46,7 +46,7 @@ pub use emptied::{Emptied, Emptying, EmptyingCause};
 pub use emptied_names::{EmptiedName, emptied_names};
 pub use examined::Examined;
 pub use figures::Figures;
-pub use free_points::{Clearance, Precision, Unused};
+pub use free_points::{Clearance, Precision, Subdivision, Unused};
 pub use mended::Mended;
 pub use meshmend_geometry::rounding::Rounding;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};

@@ -16,8 +16,8 @@ pub use self::storage::{FaceStorage, Writing};
 use crate::figures::Figures;
 use crate::{
     AnyPass, Clearance, Compact, Context, Distance, Emptied, Emptying, Examined, Mended, NonOrientable,
-    Orient, Outcome, PassError, PassKind, Precision, Repeated, SeamFigures, Seams, Side, TellingLayers,
-    Unused,
+    Orient, Outcome, PassError, PassKind, Precision, Repeated, SeamFigures, Seams, Side, Subdivision,
+    TellingLayers, Unused, Weld,
 };
 
 /// Passes in order, with their options.
@@ -274,6 +274,7 @@ impl Pipeline {
     ) -> Result<(), PassError> {
         let telling = self.telling();
         let has_faces = run.stored().counts().faces > 0;
+        run.tolerance = run.tolerance.max(self.tolerance_after_split(&run.mesh));
         for pass in passes {
             observe(pass.kind());
             if let AnyPass::Weld(weld) = pass {
@@ -314,6 +315,17 @@ impl Pipeline {
         }
     }
 
+    /// The passes that weld again what `split` took apart.
+    fn welds_after_split(&self) -> impl Iterator<Item = &Weld> {
+        let after_split = self.passes.iter().skip_while(|pass| pass.kind() != PassKind::Split);
+        after_split.filter_map(|pass| if let AnyPass::Weld(weld) = pass { Some(weld) } else { None })
+    }
+
+    /// The largest tolerance within which vertices of a mesh are joined after `split` has created some: 0 in the usual order.
+    pub fn tolerance_after_split(&self, mesh: &PolygonMesh) -> f64 {
+        self.welds_after_split().map(|weld| weld.tolerance_on(mesh)).fold(0.0, f64::max)
+    }
+
     /// What the vertices that its passes create keep clear of, when vertices within a tolerance were joined.
     pub fn clearance(&self, tolerance: f64) -> Clearance {
         let removes_all =
@@ -322,7 +334,12 @@ impl Pipeline {
         let welds_in_single =
             |pass: &AnyPass| matches!(pass, AnyPass::Weld(weld) if weld.distance == Distance::Single);
         let apart = if self.passes.iter().any(welds_in_single) { Precision::Single } else { self.precision };
-        Clearance { precision: self.precision, apart, tolerance, unused }
+        let subdivision = if self.welds_after_split().next().is_some() {
+            Subdivision::InOwnPoints
+        } else {
+            Subdivision::InOnePoint
+        };
+        Clearance { precision: self.precision, apart, tolerance, unused, subdivision }
     }
 
     /// Fails when `recompute` ended the pipeline and found what a pass had promised to remove.

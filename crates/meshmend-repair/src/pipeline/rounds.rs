@@ -68,7 +68,12 @@ impl Pipeline {
             Finality::UnlessTakenApart => is_taken_apart,
             Finality::IfUnchanged => has_changed,
         };
-        Ok(may_change || is_cut_by_writer)
+        Ok(may_change || is_cut_by_writer || !self.welds_places() && self.faces.takes_apart(&run.mesh)?)
+    }
+
+    /// Whether vertices in one place become one again.
+    fn welds_places(&self) -> bool {
+        self.passes().iter().any(|pass| pass.kind() == PassKind::Weld)
     }
 
     /// What tells that a repair by these passes is final.

@@ -12,7 +12,7 @@ use smallvec::SmallVec;
 use super::names::NewVertices;
 use crate::free_points::FreePoints;
 use crate::matching::Matching;
-use crate::{Context, PassError, Unused};
+use crate::{Context, PassError, Subdivision, Unused};
 
 /// What is inserted into the sides of an edge.
 pub(super) struct Inserted {
@@ -41,7 +41,8 @@ pub(super) fn subdivide<K: Connectivity>(
         return Ok(inserted);
     }
     let clearance = context.clearance;
-    let has_own_points = context.storage.map_or(Ok(false), |storage| storage.takes_apart(mesh))?;
+    let has_own_points = clearance.subdivision == Subdivision::InOwnPoints
+        || context.storage.map_or(Ok(false), |storage| storage.takes_apart(mesh))?;
     let complex = mesh.complex();
     // A vertex in no face that compact removes must not decide where others go.
     let is_in_result = |v| clearance.unused == Unused::Kept || kernel.is_referenced(v);
