@@ -18,6 +18,10 @@ use crate::{
 /// More rounds than any mesh is known to need.
 const MOST_ROUNDS: usize = 16;
 
+/// How many times the corners of what is read again a round may make of them. Passes in another order than the usual one,
+/// or twice, may subdivide the same faces in each round, without an end.
+const MOST_GROWTH: usize = 4;
+
 /// What tells that a repair is final.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Finality {
@@ -38,11 +42,14 @@ impl Pipeline {
         }
         let looks = |pass: &&AnyPass| pass.kind() == PassKind::Recompute;
         let (looking, changing): (Vec<&AnyPass>, Vec<&AnyPass>) = self.passes().iter().partition(looks);
+        let mut most_corners = None;
         for _ in 0..MOST_ROUNDS {
             let (read, reading) = self.faces.read_again(&run.mesh)?;
+            let most_corners = *most_corners.get_or_insert(MOST_GROWTH * read.counts().corners);
             let mut next = Run::begin(&read, self.takes_figures);
             self.run_round(changing.iter().copied(), &mut next, cancel, |_| {})?;
-            if self.faces.is_read_again(&read, &next.mesh)? {
+            let has_outgrown = next.mesh.counts().corners > most_corners;
+            if has_outgrown || self.faces.is_read_again(&read, &next.mesh)? {
                 break;
             }
             self.run_round(looking.iter().copied(), &mut next, cancel, |_| {})?;
