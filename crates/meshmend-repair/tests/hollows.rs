@@ -81,3 +81,11 @@ fn what_was_turned_outward_stays_so_when_walls_go() {
     assert_eq!(outcome.provenance.flipped, [0, 1, 2, 3].map(FaceId));
     assert_eq!(outcome.mesh.counts().faces, 4);
 }
+
+/// Two faces back to back: they have no outer side, so that they would be turned in every run.
+#[test]
+fn a_shell_without_a_volume_stays_as_it_is_inside_another() {
+    let mut inside = tetrahedron([1.0; 3], 1.0);
+    inside.faces = [[0, 1, 2], [0, 2, 1]].map(Vec::from).to_vec();
+    assert_eq!(turned(&Soup::beside(&[tetrahedron([0.0; 3], 10.0), inside], 0.0)), [0; 0]);
+}

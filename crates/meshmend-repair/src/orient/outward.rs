@@ -36,6 +36,9 @@ pub(super) fn judge<K: Connectivity>(
 ) -> Vec<PatchNamed> {
     let closed = patches.closed();
     let turned: Vec<bool> = closed.iter().map(|faces| is_turned(faces, &patches.is_flipped)).collect();
+    let unjudged = patches.unjudged();
+    let mut without_volume: Vec<_> = unjudged.iter().filter_map(|(faces, _)| faces.iter().min()).collect();
+    without_volume.sort_unstable();
     let mut named = Vec::new();
     if nested == Nested::Alternating || turned.contains(&true) {
         let hollows = nesting::are_hollows(kernel, mesh, &closed, &patches.is_flipped);
@@ -43,14 +46,18 @@ pub(super) fn judge<K: Connectivity>(
             closed.iter().zip(turned).zip(hollows).filter(|(_, is_hollow)| *is_hollow)
         {
             if nested == Nested::Alternating {
-                patches.turn(faces);
+                // Without a volume it has no outer side, and goes by majority inside a shell, too.
+                let is_judged =
+                    faces.iter().min().is_none_or(|face| without_volume.binary_search(&face).is_err());
+                if is_judged {
+                    patches.turn(faces);
+                }
             } else if is_turned {
                 named.push(PatchNamed::of(faces, What::TurnedCavity));
             }
         }
     }
-    let unjudged = patches.unjudged().into_iter();
-    named.extend(unjudged.map(|(faces, reason)| PatchNamed::of(&faces, What::Unjudged(reason))));
+    named.extend(unjudged.iter().map(|(faces, reason)| PatchNamed::of(faces, What::Unjudged(*reason))));
     named
 }
 
