@@ -1,11 +1,18 @@
 //! The weighted graph Laplacian of a triangulation, and the solution of its equations with a fixed boundary.
 //!
 //! The equations put each inner node in the mean of its neighbours, weighted by the weights of the edges. They are
-//! solved by a Cholesky factorisation, and what rounding left is taken out in two further steps, whose
+//! solved by a Cholesky factorisation on one thread, and what rounding left is taken out in two further steps, whose
 //! errors are relative to the distances between neighbours, not to their coordinates.
 
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side};
+
 use crate::FlattenError;
-use crate::cholesky::{CholeskyError, Factor, Pattern, Structure};
 
 /// The edges of a triangulation, each once, and the structure of the equations over its free nodes.
 #[derive(Debug)]
@@ -16,8 +23,8 @@ pub(crate) struct Laplacian {
     unknown: Vec<u32>,
     /// The lower triangle of the system, column by column: where each begins, and the rows.
     starts: Vec<usize>,
-    rows: Vec<u32>,
-    structure: Structure,
+    rows: Vec<usize>,
+    factor: SymbolicCholesky<usize>,
 }
 
 const PINNED: u32 = u32::MAX;
@@ -39,8 +46,12 @@ impl Laplacian {
         ends.dedup();
         let unknown = number_unknowns(triangles, node_count, pinned);
         let (starts, rows) = lower_triangle(&ends, &unknown);
-        let structure = Structure::of(Pattern { starts: &starts, rows: &rows })?;
-        Ok(Laplacian { ends, unknown, starts, rows, structure })
+        let count = starts.len() - 1;
+        let pattern = SymbolicSparseColMatRef::new_checked(count, count, &starts, None, &rows);
+        let parameters = CholeskySymbolicParams::default();
+        let factor = factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, parameters)
+            .map_err(|_| FlattenError::OutOfMemory)?;
+        Ok(Laplacian { ends, unknown, starts, rows, factor })
     }
 
     /// The index of the edge between two nodes.
@@ -55,7 +66,28 @@ impl Laplacian {
 
     /// Moves the free nodes to the solution of the equations.
     pub(crate) fn solve(&self, weights: &[f64], points: &mut [[f64; 2]]) -> Result<(), FlattenError> {
-        let factor = self.structure.factorize(&self.matrix(weights))?;
+        let count = self.starts.len() - 1;
+        if count == 0 {
+            return Ok(());
+        }
+        let pattern = SymbolicSparseColMatRef::new_checked(count, count, &self.starts, None, &self.rows);
+        let values = self.matrix(weights);
+        let matrix = SparseColMatRef::new(pattern, &values);
+        let mut factors = vec![0.0; self.factor.len_val()];
+        let mut memory =
+            buffer(self.factor.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()))?;
+        let factors = self
+            .factor
+            .factorize_numeric_llt(
+                &mut factors,
+                matrix,
+                Side::Lower,
+                LltRegularization::default(),
+                Par::Seq,
+                MemStack::new(&mut memory),
+                Default::default(),
+            )
+            .map_err(|_| FlattenError::NoRest)?;
         // The free nodes start together, so that the first step is the solution and the others correct it.
         for (point, &unknown) in points.iter_mut().zip(&self.unknown) {
             if unknown != PINNED {
@@ -63,35 +95,43 @@ impl Laplacian {
             }
         }
         for _ in 0..=CORRECTIONS {
-            self.correct(&factor, weights, points);
+            self.correct(factors, weights, points)?;
         }
         Ok(())
     }
 
     /// Moves the free nodes by what the forces on them ask for.
-    fn correct(&self, factor: &Factor, weights: &[f64], points: &mut [[f64; 2]]) {
+    fn correct(
+        &self,
+        factors: LltRef<'_, usize, f64>,
+        weights: &[f64],
+        points: &mut [[f64; 2]],
+    ) -> Result<(), FlattenError> {
+        let count = self.starts.len() - 1;
         let mut moves = self.forces(weights, points);
-        factor.solve(&mut moves);
+        let mut memory = buffer(self.factor.solve_in_place_scratch::<f64>(2, Par::Seq))?;
+        let sides = MatMut::from_column_major_slice_mut(&mut moves, count, 2);
+        factors.solve_in_place_with_conj(Conj::No, sides, Par::Seq, MemStack::new(&mut memory));
         for (point, &unknown) in points.iter_mut().zip(&self.unknown) {
             if unknown != PINNED {
-                let [along_x, along_y] = moves[unknown as usize];
-                point[0] += along_x;
-                point[1] += along_y;
+                point[0] += moves[unknown as usize];
+                point[1] += moves[count + unknown as usize];
             }
         }
+        Ok(())
     }
 
-    /// The force on each free node.
-    fn forces(&self, weights: &[f64], points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-        let mut forces = vec![[0.0; 2]; self.starts.len() - 1];
+    /// The force on each free node: first along one axis, then along the other.
+    fn forces(&self, weights: &[f64], points: &[[f64; 2]]) -> Vec<f64> {
+        let count = self.starts.len() - 1;
+        let mut forces = vec![0.0; 2 * count];
         for (&[a, b], &weight) in self.ends.iter().zip(weights) {
             let [from, to] = [a, b].map(|node| points[node as usize]);
             for (node, sign) in [(a, 1.0), (b, -1.0)] {
                 let unknown = self.unknown[node as usize];
                 if unknown != PINNED {
-                    let force = &mut forces[unknown as usize];
-                    force[0] += sign * weight * (to[0] - from[0]);
-                    force[1] += sign * weight * (to[1] - from[1]);
+                    forces[unknown as usize] += sign * weight * (to[0] - from[0]);
+                    forces[count + unknown as usize] += sign * weight * (to[1] - from[1]);
                 }
             }
         }
@@ -127,7 +167,7 @@ fn number_unknowns(triangles: &[[u32; 3]], node_count: usize, pinned: impl Itera
 }
 
 /// Column by column a diagonal entry and one for each edge to a higher unknown. Edges are sorted, and so are these.
-fn lower_triangle(ends: &[[u32; 2]], unknown: &[u32]) -> (Vec<usize>, Vec<u32>) {
+fn lower_triangle(ends: &[[u32; 2]], unknown: &[u32]) -> (Vec<usize>, Vec<usize>) {
     let inner = || {
         let both = ends.iter().map(|ends| ends.map(|node| unknown[node as usize]));
         both.filter(|both| !both.contains(&PINNED))
@@ -141,21 +181,16 @@ fn lower_triangle(ends: &[[u32; 2]], unknown: &[u32]) -> (Vec<usize>, Vec<u32>) 
     let mut rows = vec![0; starts[count]];
     let mut next = starts.clone();
     for column in 0..count {
-        rows[next[column]] = column as u32;
+        rows[next[column]] = column;
         next[column] += 1;
     }
     for [low, high] in inner() {
-        rows[next[low as usize]] = high;
+        rows[next[low as usize]] = high as usize;
         next[low as usize] += 1;
     }
     (starts, rows)
 }
 
-impl From<CholeskyError> for FlattenError {
-    fn from(error: CholeskyError) -> Self {
-        match error {
-            CholeskyError::NotPositive => FlattenError::NoRest,
-            CholeskyError::OutOfMemory => FlattenError::OutOfMemory,
-        }
-    }
+fn buffer(size: faer::dyn_stack::StackReq) -> Result<MemBuffer, FlattenError> {
+    MemBuffer::try_new(size).map_err(|_| FlattenError::OutOfMemory)
 }

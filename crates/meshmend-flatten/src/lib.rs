@@ -26,7 +26,6 @@
 //! parameterization*, 2004.
 
 mod boundary_placement;
-mod cholesky;
 mod cotangents;
 mod discs;
 mod flat;
