@@ -260,7 +260,7 @@ mod tests {
     const ENDS: [Point; 2] = [[0.0; 3], [8.0, 4.0, 4.0]];
 
     fn clearance(precision: Precision, tolerance: f64) -> Clearance {
-        Clearance { precision, apart: precision, tolerance, unused: Unused::Kept }
+        Clearance { precision, apart: precision, tolerance, ..Clearance::default() }
     }
 
     /// Where vertices that are equal in single precision are joined, a created one differs from all in that sense, and

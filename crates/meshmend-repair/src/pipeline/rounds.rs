@@ -30,7 +30,7 @@ enum Finality {
     /// No face came apart from another, and none was cut: then the result is manifold, and no two of its vertices are
     /// welded, so that the same sides are matched again.
     UnlessTakenApart,
-    /// Nothing was changed.
+    /// Nothing was changed, and what hung together as stored does so when it is read again.
     IfUnchanged,
 }
 
@@ -73,14 +73,9 @@ impl Pipeline {
                 has_copies || is_taken_apart && self.faces.takes_apart(&run.mesh)?
             }
             Finality::UnlessTakenApart => is_taken_apart,
-            Finality::IfUnchanged => has_changed,
+            Finality::IfUnchanged => has_changed || self.faces.takes_apart(&run.mesh)?,
         };
-        Ok(may_change || is_cut_by_writer || !self.welds_places() && self.faces.takes_apart(&run.mesh)?)
-    }
-
-    /// Whether vertices in one place become one again.
-    fn welds_places(&self) -> bool {
-        self.passes().iter().any(|pass| pass.kind() == PassKind::Weld)
+        Ok(may_change || is_cut_by_writer)
     }
 
     /// What tells that a repair by these passes is final.
