@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test stops where it fails")]
 
 use meshmend_repair::{
-    Distance, FaceStorage, PassKind, Pipeline, Plan, Repaired, Side, SplitEdges, TriangulateFaces,
+    Distance, Emptying, FaceStorage, PassKind, Pipeline, Plan, Repaired, Side, SplitEdges, TriangulateFaces,
 };
 use meshmend_testkit::{Soup, oracle};
 
@@ -179,6 +179,18 @@ fn what_is_stitched_and_comes_apart_again_is_no_change() {
     let stl = Pipeline::default().storing(FaceStorage::apart()).run(&apart.mesh()).unwrap();
     assert_eq!((stl.is_changed(), stl.stitched, stl.mesh.counts().vertices), (false, 17, 8));
     assert!(Pipeline::default().run(&apart.mesh()).unwrap().is_changed());
+}
+
+/// The first vertex, which no face uses, is joined to the second, which is then where the first was: the box grows, and with
+/// it the tolerance, so that the last two are within it.
+#[test]
+fn a_tolerance_that_grows_with_its_box_is_gone_by_at_once() {
+    let strip = soup(&[[0.0, 1.0, 1.0], [1.0; 3], [8.0, 1.0, 1.0], [8.0, 2.81, 1.0]], &[&[1, 2, 3]]);
+    // `split` puts a vertex back to where the lowest one of its faces was stored.
+    let pipeline =
+        plan(|plan| plan.weld.distance = Distance::Relative(0.25)).without(PassKind::Split).pipeline();
+    let once = final_repair(&pipeline.on_emptying(Emptying::Allow), &strip);
+    assert_eq!(once.mesh.counts().faces, 0);
 }
 
 /// Without `clean`, faces that come back to a vertex may be subdivided in each round: that has an end all the same.

@@ -75,7 +75,14 @@ impl Pipeline {
             Finality::UnlessTakenApart => is_taken_apart,
             Finality::IfUnchanged => has_changed || self.faces.takes_apart(&run.mesh)?,
         };
-        Ok(may_change || is_cut_by_writer)
+        Ok(may_change || is_cut_by_writer || self.welds_further(run))
+    }
+
+    /// Whether a tolerance in parts of a box has grown with the box: vertices that were joined to one that no face used are
+    /// where that was.
+    fn welds_further(&self, run: &Run) -> bool {
+        let grows = |pass: &AnyPass| matches!(pass, AnyPass::Weld(weld) if weld.tolerance_on(&run.mesh) > run.tolerance);
+        self.passes().iter().any(grows)
     }
 
     /// What tells that a repair by these passes is final.

@@ -99,6 +99,7 @@ impl Run {
         self.removed_faces.extend(next.removed_faces.into_iter().filter_map(as_stored));
         self.history = history.extended(next.history.provenance(), &next.mesh);
         self.round = self.passes.len();
+        self.tolerance = self.tolerance.max(next.tolerance);
         self.passes.extend(next.passes);
         self.figures.extend(next.figures);
         (self.mesh, self.report) = (next.mesh, next.report);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use meshmend_core::{Defect, DefectKind, PolygonMesh, Severity, VertexId};
-use meshmend_repair::{AnyPass, Context, Outcome, PassError};
+use meshmend_repair::{AnyPass, Context, Outcome, PassError, Weld};
 use meshmend_testkit::laws::{Change, DefectCounts, Promise};
 use meshmend_testkit::{Soup, shapes, worlds};
 use proptest::prelude::*;
@@ -125,6 +125,11 @@ fn laws(pass: &AnyPass, world: &World) -> Result<(), String> {
     }
     // What a pass requires is what it takes to be done in one go.
     if pass.as_pass().requires().iter().any(|kind| world.found.count(*kind) > 0) {
+        return Ok(());
+    }
+    // A tolerance in parts of a box grows with the box, where vertices are joined to one that no face used.
+    let grows = |weld: &Weld| weld.tolerance_on(&after.mesh) > weld.tolerance_on(&world.mesh);
+    if matches!(pass, AnyPass::Weld(weld) if grows(weld)) {
         return Ok(());
     }
     let again = pass.as_pass().apply(&after.mesh, &Context::default()).map_err(|error| error.to_string())?;
