@@ -25,7 +25,8 @@ const MOST_GROWTH: usize = 4;
 /// What tells that a repair is final.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Finality {
-    /// It always is, unless vertices that came apart are one again when they are read.
+    /// It always is, unless vertices that came apart are one again when they are read: with the default policies, and where
+    /// passes only remove what no later one brings back.
     Always,
     /// No face came apart from another, and none was cut: then the result is manifold, and no two of its vertices are
     /// welded, so that the same sides are matched again.
@@ -91,6 +92,11 @@ impl Pipeline {
         // Where closed patches are turned outward, `orient` runs once more after `split`.
         if let Some(again) = kinds.windows(2).position(|two| two == [PassKind::Split, PassKind::Orient]) {
             kinds.remove(again + 1);
+        }
+        let removes_alone =
+            |kind: &PassKind| matches!(kind, PassKind::Clean | PassKind::Compact | PassKind::Recompute);
+        if kinds.iter().all(removes_alone) {
+            return Finality::Always;
         }
         let needed = [PassKind::Weld, PassKind::Clean, PassKind::Orient, PassKind::Split];
         let is_whole = needed.iter().all(|kind| kinds.contains(kind))

@@ -39,7 +39,7 @@ pub(crate) fn promise(pass: &AnyPass) -> Promise {
     Promise { removes: pass.removes(), requires: pass.requires(), may_introduce: pass.may_introduce() }
 }
 
-/// The outcome of a pass, or nothing where a policy forbids it.
+/// The outcome of a pass, or nothing where a policy forbids it, or coordinates are too coarse for its tolerance.
 pub(crate) fn honest(result: Result<Outcome, PassError>) -> Option<Outcome> {
     match result {
         Ok(outcome) => Some(outcome),
@@ -47,6 +47,7 @@ pub(crate) fn honest(result: Result<Outcome, PassError>) -> Option<Outcome> {
             assert!(!defects.is_empty() && defects.iter().all(|defect| defect.kind() == kind), "{defects:?}");
             None
         }
+        Err(PassError::Request { reason, .. }) if reason.contains("can't be resolved") => None,
         Err(error) => panic!("{error}"),
     }
 }
