@@ -80,10 +80,12 @@ fn shell<K: Connectivity>(
     Shell::of(triangles)
 }
 
-/// The centres of some faces.
+/// The centres of some faces, to the bit the same whichever way round these run.
 fn points_on<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, faces: &[FaceId]) -> Vec<Point> {
     let centre = |face: FaceId| -> Point {
-        let corners: Vec<Point> = kernel.face_vertices(face).map(|v| mesh.position(v)).collect();
+        let mut vertices: Vec<_> = kernel.face_vertices(face).collect();
+        vertices.sort_unstable();
+        let corners: Vec<Point> = vertices.into_iter().map(|v| mesh.position(v)).collect();
         let share = 1.0 / corners.len() as f64;
         std::array::from_fn(|i| corners.iter().map(|p| p[i] * share).sum())
     };
