@@ -483,16 +483,6 @@ fn value_as_in(layer: &Layer, element: usize, other: &Layer) -> Option<String> {
     Some(format!("[{}]", text.join(", ")))
 }
 
-fn domain_name(domain: Domain) -> &'static str {
-    match domain {
-        Domain::Vertex => "vertex",
-        Domain::Corner => "corner",
-        Domain::Face => "face",
-        Domain::LooseEdge => "loose edge",
-        Domain::LoosePoint => "loose point",
-    }
-}
-
 /// What each format can't carry of a mesh that has everything, by kind and by the layers concerned.
 #[test]
 fn conversions_of_a_mesh_that_has_everything_name_their_losses() {
@@ -506,7 +496,7 @@ fn conversions_of_a_mesh_that_has_everything_name_their_losses() {
         let layers = rich
             .layers()
             .iter()
-            .map(|layer| format!("{} attribute `{}`", domain_name(layer.domain()), layer.name()));
+            .map(|layer| format!("{} attribute `{}`", layer.domain().name(), layer.name()));
         (Vec::from_iter(kinds), layers.filter(|name| is_named(name)).collect::<Vec<_>>())
     };
     let of_faces =

@@ -64,7 +64,7 @@ impl<'a> Console<'a> {
         self.is_reserved = true;
     }
 
-    /// Lets something be written to standard output. That nobody reads any more is no error.
+    /// Lets something be written to standard output. It is not an error when the reader has gone away.
     pub(crate) fn send<R>(&mut self, write: impl FnOnce(&mut dyn Write) -> R) -> R {
         write(&mut Pipe { sink: &mut *self.out.sink, is_closed: &mut self.is_closed })
     }

@@ -145,7 +145,7 @@ fn what_can_not_share_a_stream_is_refused_with_the_reason() {
     );
 }
 
-/// Streams are no files: the folder may hold one of that name, and both ends of a pipe may be called the same.
+/// A stream is not a file: the folder may hold a file of that name, and both ends of a pipe may have the same name.
 #[test]
 fn a_file_that_is_called_like_a_stream_is_left_alone() {
     let folder = Folder::new();
@@ -218,7 +218,7 @@ fn a_told_format_goes_before_name_and_content() {
     meshmend(&["check", &page]).fails(3, "c.stl: looks like HTML");
 }
 
-/// As with `| head -1`: what nobody wants to read any more is no error.
+/// As with `| head -1`: it is not an error when the reader has gone away.
 #[test]
 fn a_reader_that_goes_away_ends_the_output_without_a_word() {
     for arguments in [

@@ -29,6 +29,19 @@ pub enum Domain {
     LoosePoint,
 }
 
+impl Domain {
+    /// `vertex`, `corner`, `face`, `loose edge` or `loose point`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Domain::Vertex => "vertex",
+            Domain::Corner => "corner",
+            Domain::Face => "face",
+            Domain::LooseEdge => "loose edge",
+            Domain::LoosePoint => "loose point",
+        }
+    }
+}
+
 /// What happens to a layer's values where a change creates a corner, a vertex or a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carry {

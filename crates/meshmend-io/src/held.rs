@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use meshmend_core::{Domain, FaceTable, Layer, PolygonMesh, Values, VertexId};
 
-use crate::layers::domain_name;
 use crate::{LossKind, WriteOptions, losses};
 
 /// For each layer of a mesh whether a file that is written so would have it beside the others, by its name, elements and type;
@@ -33,7 +32,7 @@ fn lost_names(layers: Vec<Layer>, options: &WriteOptions) -> BTreeSet<String> {
 /// The part of a loss that says which layer is lost. A name may hold anything; what follows it holds no `` ` ``.
 fn named_in(message: &str) -> Option<&str> {
     let (open, close) = (message.find(" attribute `")?, message.rfind('`')?);
-    let before = |&domain: &Domain| message[..open].strip_suffix(domain_name(domain));
+    let before = |&domain: &Domain| message[..open].strip_suffix(domain.name());
     let before = DOMAINS.iter().find_map(before)?;
     message.get(before.len()..=close)
 }
@@ -43,7 +42,7 @@ const DOMAINS: [Domain; 5] =
 
 /// What a loss calls a layer.
 fn spelled(layer: &Layer) -> String {
-    format!("{} attribute `{}`", domain_name(layer.domain()), layer.name())
+    format!("{} attribute `{}`", layer.domain().name(), layer.name())
 }
 
 /// A layer of a triangle like another one, on the elements on which that was stored.

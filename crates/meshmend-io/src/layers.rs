@@ -51,7 +51,7 @@ pub(crate) fn absent(layer: &Layer) -> usize {
 /// The loss of so many values that elements don't have, as a format gives each element one.
 pub(crate) fn absent_loss(layer: &Layer, count: usize) -> Option<Loss> {
     Loss::if_any(LossKind::AbsentValue, count, |count| {
-        let (domain, name) = (domain_name(layer.domain()), layer.name());
+        let (domain, name) = (layer.domain().name(), layer.name());
         let have = if count == 1 { "has" } else { "have" };
         format!("that {} {have} no {domain} attribute `{name}`", counted(count, domain))
     })
@@ -74,7 +74,7 @@ pub(crate) fn losses_in(mesh: &PolygonMesh, written: &[&Layer], domains: &[Domai
 }
 
 fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
-    let (domain, name) = (domain_name(layer.domain()), layer.name());
+    let (domain, name) = (layer.domain().name(), layer.name());
     let of_elements = Loss::if_any(LossKind::Layer, count, |count| {
         format!("{domain} attribute `{name}` of {}", counted(count, domain))
     });
@@ -83,7 +83,7 @@ fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
 
 /// The loss of a pool of values none of which any element uses, in a format that stores values with elements.
 fn unused_layer_loss(layer: &Layer) -> Option<Loss> {
-    let (domain, name) = (domain_name(layer.domain()), layer.name());
+    let (domain, name) = (layer.domain().name(), layer.name());
     // Loose elements that are gone were named when they went.
     let is_of_loose = matches!(layer.domain(), Domain::LooseEdge | Domain::LoosePoint);
     let is_unused = !is_of_loose && absent(layer) == layer.element_count();
@@ -91,17 +91,6 @@ fn unused_layer_loss(layer: &Layer) -> Option<Loss> {
     Loss::if_any(LossKind::Layer, values, |count| {
         format!("{} of the {domain} attribute `{name}`, which no {domain} uses", counted(count, "value"))
     })
-}
-
-/// `vertex`, `corner`, `face`, `loose edge` or `loose point`.
-pub(crate) fn domain_name(domain: Domain) -> &'static str {
-    match domain {
-        Domain::Vertex => "vertex",
-        Domain::Corner => "corner",
-        Domain::Face => "face",
-        Domain::LooseEdge => "loose edge",
-        Domain::LoosePoint => "loose point",
-    }
 }
 
 /// `vertices`, `corners`, `faces`, `loose edges` or `loose points`.

@@ -11,6 +11,7 @@
 //! sorted instead, so that no file can make this slow.
 
 use meshmend_core::{Id, PolygonMesh, VertexId};
+use meshmend_geometry::places::place_bits;
 use rayon::prelude::*;
 
 /// Vertices of a chunk: their keys fit the second-level cache.
@@ -65,7 +66,7 @@ impl Coincidence {
         let joined = |lowest: &[VertexId]| doubtful.iter().filter(|&&v| lowest[v.index()] != v).count();
         let joined_in_single = joined(&exactly);
         let points: Vec<[f64; 3]> = doubtful.iter().map(|v| positions[v.index()]).collect();
-        let equal = lowest_of_equal(&points, f64::is_finite, |p| p.map(|x| (x + 0.0).to_bits()));
+        let equal = lowest_of_equal(&points, f64::is_finite, place_bits);
         for (&vertex, low) in doubtful.iter().zip(equal) {
             exactly[vertex.index()] = doubtful[low.index()];
         }

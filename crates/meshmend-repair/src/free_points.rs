@@ -11,6 +11,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use meshmend_geometry::places::place_bits;
 use meshmend_geometry::vector::Point;
 
 use crate::near::{Nearness, is_finite};
@@ -155,7 +156,7 @@ impl FreePoints {
         if !is_finite(&start) {
             return start;
         }
-        let origin = (place(middle), axis);
+        let origin = (place_bits(middle), axis);
         let mut step = self.walked.get(&origin).copied().unwrap_or(0);
         let (mut last, mut last_two) = ([start; 2], [None; 2]);
         loop {
@@ -164,7 +165,7 @@ impl FreePoints {
                 let mut point = if self.clearance.tolerance > 0.0 { middle } else { start };
                 point[axis] = self.stepped(point[axis], side * step as i64);
                 let point = precision.round(point);
-                let is_new = place(point) != place(*last);
+                let is_new = place_bits(point) != place_bits(*last);
                 *last = point;
                 if is_new && is_finite(&point) && self.taken.is_free(point, &mut last_two) {
                     self.walked.insert(origin, step - 1);
@@ -185,11 +186,11 @@ impl Taken {
     fn insert(&mut self, point: Point) {
         match self {
             Taken::Places { places, apart } => {
-                places.insert(place(apart.round(point)));
+                places.insert(place_bits(apart.round(point)));
             }
             Taken::Cubes { cubes, side, .. } => {
                 if is_finite(&point) {
-                    cubes.entry(cube(point, *side)).or_default().insert(place(point), point);
+                    cubes.entry(cube(point, *side)).or_default().insert(place_bits(point), point);
                 }
             }
         }
@@ -202,7 +203,7 @@ impl Taken {
             Taken::Places { places, apart } => {
                 let point = apart.round(point);
                 // What is beyond all numbers is welded to nothing.
-                !is_finite(&point) || !places.contains(&place(point))
+                !is_finite(&point) || !places.contains(&place_bits(point))
             }
             Taken::Cubes { cubes, near, side } => {
                 if last_two.iter().flatten().any(|&vertex| near.are_near(vertex, point)) {
@@ -237,10 +238,6 @@ fn steps_round() -> impl Iterator<Item = [i64; 3]> {
 
 fn cube(point: Point, side: f64) -> [i64; 3] {
     point.map(|x| ((x / side).floor() as i64).clamp(i64::MIN + 1, i64::MAX - 1))
-}
-
-fn place(point: Point) -> Place {
-    point.map(|x| (x + 0.0).to_bits())
 }
 
 fn mean(points: &[Point]) -> Point {

@@ -22,7 +22,7 @@ pub enum Element {
     Face(FaceId),
     /// A face where it is at a vertex.
     Corner { face: FaceId, vertex: VertexId },
-    /// An edge that is no face's side, by its place in the list of loose edges.
+    /// An edge that is not a side of any face, by its place in the list of loose edges.
     LooseEdge { index: u32, ends: [VertexId; 2] },
     /// A point that is an element of its own, by its place in the list of loose points.
     LoosePoint { index: u32, vertex: VertexId },

@@ -1,4 +1,4 @@
-//! An edge that is no face's side, by its place in the list of loose edges.
+//! An edge that is not a side of any face, by its place in the list of loose edges.
 
 use super::{Defect, DefectKind, Element, Found, Listed, Rule, Severity};
 use crate::VertexId;
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 impl Defect {
-    /// An edge that is no face's side, by its place in the list of loose edges.
+    /// An edge that is not a side of any face, by its place in the list of loose edges.
     pub fn loose_edge(index: u32, ends: [VertexId; 2]) -> Self {
         Defect::new(DefectKind::LooseEdge, Element::LooseEdge { index, ends })
     }

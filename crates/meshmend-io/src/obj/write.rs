@@ -5,8 +5,8 @@ use std::io;
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values, counted};
 
 use crate::layers::{
-    absent, domain_name, has_fractions, is_numeric, layer_losses, layer_of, losses_in, metadata_losses,
-    number, one_line, spelling_loss,
+    absent, has_fractions, is_numeric, layer_losses, layer_of, losses_in, metadata_losses, number, one_line,
+    spelling_loss,
 };
 use crate::obj::ObjShape;
 use crate::obj::comments::{Between, COMMENT, ELEMENTS, FACE, NORMAL, TEXCOORD, VERTEX, is_between};
@@ -92,7 +92,7 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
 }
 
 fn moved_to_corners(layer: &Layer) -> Option<Loss> {
-    let (domain, name) = (domain_name(layer.domain()), layer.name());
+    let (domain, name) = (layer.domain().name(), layer.name());
     let count = if layer.domain() == Domain::Vertex { layer.element_count() } else { 0 };
     Loss::if_any(LossKind::Converted, count, |_| format!("{domain} attribute `{name}` moves to the corners"))
 }

@@ -3,7 +3,6 @@
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values};
 
 use crate::assemble::Parts;
-use crate::layers::domain_name;
 use crate::ply::columns::Columns;
 use crate::ply::header::Element;
 use crate::ply::layers::{interleaved, is_usual};
@@ -95,7 +94,7 @@ impl Rows<'_> {
             return Some((self.element.properties[column].name.clone(), 1, values));
         };
         if !is_usual(group) {
-            let domain = domain_name(domain);
+            let domain = domain.name();
             let value = format!("{domain} {} {}", group.layer, group.members.join(" ")).into_bytes();
             parts.metadata.push(Metadata { key: PROPERTY_NAMES.to_owned(), value });
         }

@@ -5,9 +5,7 @@ use std::collections::BTreeSet;
 
 use meshmend_core::{Domain, Layer, PolygonMesh, Values};
 
-use crate::layers::{
-    absent, absent_loss, domain_name, layer_losses, losses_in, metadata_losses, one_line, point_loss,
-};
+use crate::layers::{absent, absent_loss, layer_losses, losses_in, metadata_losses, one_line, point_loss};
 use crate::ply::layers::usual;
 use crate::ply::property::{Property, Source};
 use crate::ply::scalar::Scalar;
@@ -291,7 +289,7 @@ fn names(mesh: &PolygonMesh, layer: &Layer) -> Vec<String> {
 
 /// The names that the file had for a layer's properties.
 fn stated_names(mesh: &PolygonMesh, layer: &Layer) -> Option<Vec<String>> {
-    let prefix = format!("{} {} ", domain_name(layer.domain()), layer.name());
+    let prefix = format!("{} {} ", layer.domain().name(), layer.name());
     mesh.metadata().iter().filter(|m| m.key == PROPERTY_NAMES).find_map(|m| {
         let names = m.value.strip_prefix(prefix.as_bytes())?;
         let names: Vec<String> = String::from_utf8_lossy(names).split(' ').map(str::to_owned).collect();

@@ -20,8 +20,8 @@ pub(super) fn seams_last<K: Connectivity>(
     names: &StoredNames<'_>,
     pairs: Vec<Pair>,
 ) -> Vec<Pair> {
-    let twisted = Twisted::of(kernel, &pairs);
-    let class_of = |pair: &Pair| twisted.class(kernel.corner_face(pair.0));
+    let twisted = twisted_classes(kernel, &pairs);
+    let class_of = |pair: &Pair| twisted[kernel.corner_face(pair.0)];
     let (classes, dual_edges): (Vec<FaceId>, Vec<DualEdge>) =
         pairs.iter().filter_map(|pair| Some((class_of(pair)?, dual_edge(kernel, names, *pair)))).unzip();
     if dual_edges.is_empty() {
@@ -44,31 +44,19 @@ pub(super) fn seams_last<K: Connectivity>(
     first
 }
 
-/// The classes of faces in which pairs contradict.
-struct Twisted {
-    /// The class of each face in such a one.
-    class: Column<FaceId, Option<FaceId>>,
-}
-
-impl Twisted {
-    fn of<K: Connectivity>(kernel: &K, pairs: &[Pair]) -> Self {
-        let mut sets = SidedClasses::new(kernel.face_count());
-        let mut contradicted = Vec::new();
-        for &(one, other) in pairs {
-            let (f, g) = (kernel.corner_face(one), kernel.corner_face(other));
-            if let Joined::Contradicts { root } = sets.join(f, g, run_the_same_way(kernel, one, other)) {
-                contradicted.push(root);
-            }
+/// For each face its class, if pairs contradict in that.
+fn twisted_classes<K: Connectivity>(kernel: &K, pairs: &[Pair]) -> Column<FaceId, Option<FaceId>> {
+    let mut sets = SidedClasses::new(kernel.face_count());
+    let mut contradicted = Vec::new();
+    for &(one, other) in pairs {
+        let (f, g) = (kernel.corner_face(one), kernel.corner_face(other));
+        if let Joined::Contradicts { root } = sets.join(f, g, run_the_same_way(kernel, one, other)) {
+            contradicted.push(root);
         }
-        let mut is_twisted = Column::filled(false, kernel.face_count());
-        contradicted.into_iter().for_each(|face| is_twisted[sets.find(face).0] = true);
-        let class = kernel.faces().map(|face| Some(sets.find(face).0).filter(|&root| is_twisted[root]));
-        Twisted { class: class.collect() }
     }
-
-    fn class(&self, face: FaceId) -> Option<FaceId> {
-        self.class[face]
-    }
+    let mut is_twisted = Column::filled(false, kernel.face_count());
+    contradicted.into_iter().for_each(|face| is_twisted[sets.find(face).0] = true);
+    kernel.faces().map(|face| Some(sets.find(face).0).filter(|&root| is_twisted[root])).collect()
 }
 
 fn dual_edge<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, (one, other): Pair) -> DualEdge {
