@@ -138,7 +138,7 @@ struct Pieces<'a> {
     faces: &'a FaceTable,
     /// Absent when each face stays as it is.
     listed: Option<Listed>,
-    mended: Vec<Defect>,
+    fixed: Vec<Defect>,
 }
 
 /// Pieces that repeat an earlier one.
@@ -166,11 +166,11 @@ impl Clean {
         let bad_vertex = |face| faces.face_vertices(face).iter().find(|v| !all_finite && !is_finite(v));
         let is_simple = |face| is_simple(faces.face_vertices(face));
         if faces.faces().all(|face| is_simple(face) && bad_vertex(face).is_none()) {
-            return Ok(Pieces { faces, listed: None, mended: Vec::new() });
+            return Ok(Pieces { faces, listed: None, fixed: Vec::new() });
         }
         let (mut splitter, mut holes) = (None, None);
         let mut listed = Listed::with_capacity(faces.face_count(), faces.corner_count());
-        let (mut mended, mut non_finite) = (Vec::new(), Vec::new());
+        let (mut fixed, mut non_finite) = (Vec::new(), Vec::new());
         for face in faces.faces() {
             if let Some(&vertex) = bad_vertex(face) {
                 non_finite.push(Defect::non_finite_face(face, vertex));
@@ -189,7 +189,7 @@ impl Clean {
                 0 | 1 => Parts::Loops,
                 _ => holes.get_or_insert_with(|| HoleCutter::new(mesh)).parts(vertices, &found),
             };
-            mended.push(what_was_wrong(face, vertices, &found, &parts));
+            fixed.push(what_was_wrong(face, vertices, &found, &parts));
             let pieces = if let Parts::Pieces(pieces) = parts { pieces } else { found.loops };
             for corners in pieces {
                 listed.push(face, corners.into_iter().map(|place| CornerId::new(range.start + place)));
@@ -200,10 +200,10 @@ impl Clean {
                 let kind = DefectKind::NonFiniteFace;
                 return Err(PassError::Policy { pass: "clean", kind, defects: non_finite });
             }
-            NonFinite::Drop => mended.extend(non_finite),
+            NonFinite::Drop => fixed.extend(non_finite),
             _ => {}
         }
-        Ok(Pieces { faces, listed: Some(listed), mended })
+        Ok(Pieces { faces, listed: Some(listed), fixed })
     }
 }
 
@@ -329,13 +329,13 @@ impl Pieces<'_> {
         for &(repeat, original, differs) in &repeats.dropped {
             is_kept[repeat as usize] = false;
             let (face, original) = (self.face(repeat as usize), self.face(original as usize));
-            self.mended.push(Defect::duplicate_face(face, original));
+            self.fixed.push(Defect::duplicate_face(face, original));
             if !differs.is_empty() {
                 differed.push((face, differs));
             }
         }
         let left = differing_faces(&repeats.kept, &is_kept);
-        if self.mended.is_empty() {
+        if self.fixed.is_empty() {
             return Ok(Outcome { left, ..Outcome::unchanged(mesh) });
         }
         let mut builder = FaceTableBuilder::default();
@@ -348,7 +348,7 @@ impl Pieces<'_> {
         let faces = builder.build(mesh.counts().vertices)?;
         let draft =
             Draft::of_faces(mesh, faces, Sources::listed(face_sources), Sources::listed(corner_sources));
-        let outcome = Outcome::changed(mesh.rebuild(draft)?, self.mended.into());
+        let outcome = Outcome::changed(mesh.rebuild(draft)?, self.fixed.into());
         Ok(Outcome { left, differed, ..outcome })
     }
 }

@@ -68,11 +68,11 @@ impl Pass for Compact {
             points: self.loose_points == LooseElements::Remove,
         };
         let is_kept = used_vertices(mesh, drop_loose);
-        let mended = removed(mesh, &is_kept, drop_loose);
-        if mended.is_empty() {
+        let fixed = removed(mesh, &is_kept, drop_loose);
+        if fixed.is_empty() {
             return Ok(Outcome::unchanged(mesh));
         }
-        Ok(Outcome::changed(mesh.rebuild(draft(mesh, &is_kept, drop_loose)?)?, mended.into()))
+        Ok(Outcome::changed(mesh.rebuild(draft(mesh, &is_kept, drop_loose)?)?, fixed.into()))
     }
 }
 

@@ -27,9 +27,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::copies::looks;
 use crate::telling::Telling;
-use crate::{
-    Context, Mended, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames, TellingLayers,
-};
+use crate::{Context, Fixed, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames, TellingLayers};
 
 mod crossing;
 mod cycles;
@@ -286,7 +284,7 @@ impl Task<'_> {
         if !outcome.provenance.is_same() {
             let dropped = self.dropped(cycles, &found);
             outcome.differed = self.differed(kernel, &dropped);
-            outcome.mended = Mended::turned(turned_edges(kernel, &found.is_flipped), dropped);
+            outcome.fixed = Fixed::turned(turned_edges(kernel, &found.is_flipped), dropped);
         }
         outcome.left = self.alike_left(kernel, cycles, &found);
         let faces: Vec<FaceId> = found.outward.iter().map(PatchNamed::face).collect();
@@ -369,7 +367,7 @@ impl Task<'_> {
             flipped_normals: self.options.flipped_normals,
             ..Draft::of_faces(self.mesh, faces, faces_from, sources.into())
         };
-        Ok(Outcome::changed(self.mesh.rebuild(draft)?, Mended::default()))
+        Ok(Outcome::changed(self.mesh.rebuild(draft)?, Fixed::default()))
     }
 
     /// The mesh without dropped faces, and with others turned.
@@ -402,7 +400,7 @@ impl Task<'_> {
             flipped_normals: self.options.flipped_normals,
             ..Draft::of_faces(self.mesh, faces, faces_from, corners_from)
         };
-        Ok(Outcome::changed(self.mesh.rebuild(draft)?, Mended::default()))
+        Ok(Outcome::changed(self.mesh.rebuild(draft)?, Fixed::default()))
     }
 
     /// The new ids of some faces that stay.

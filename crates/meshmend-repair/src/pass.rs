@@ -10,7 +10,7 @@ use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;
 use thiserror::Error;
 
-use crate::{Clearance, Emptied, FaceStorage, Mended, SeamFigures, TellingLayers};
+use crate::{Clearance, Emptied, FaceStorage, Fixed, SeamFigures, TellingLayers};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
 pub trait Pass {
@@ -29,7 +29,7 @@ pub trait Pass {
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError>;
 }
 
-/// What a pass gives back. Ids in `mended` are the old mesh's, those in `left` the new one's.
+/// What a pass gives back. Ids in `fixed` are the old mesh's, those in `left` the new one's.
 #[must_use]
 #[derive(Clone, Debug)]
 pub struct Outcome {
@@ -38,7 +38,7 @@ pub struct Outcome {
     /// Where each of its elements came from.
     pub provenance: Provenance,
     /// What was wrong and no longer is, by ids of the mesh before.
-    pub mended: Mended,
+    pub fixed: Fixed,
     /// What the pass saw and left alone, by ids of the mesh after.
     pub left: Vec<Defect>,
     /// The topology of the mesh after, where the pass looked at all of it.
@@ -51,8 +51,8 @@ pub struct Outcome {
 
 impl Outcome {
     /// The outcome of a pass that made a new mesh.
-    pub(crate) fn changed((mesh, provenance): (PolygonMesh, Provenance), mended: Mended) -> Self {
-        Outcome { mesh, provenance, mended, left: Vec::new(), report: None, seam: None, differed: Vec::new() }
+    pub(crate) fn changed((mesh, provenance): (PolygonMesh, Provenance), fixed: Fixed) -> Self {
+        Outcome { mesh, provenance, fixed, left: Vec::new(), report: None, seam: None, differed: Vec::new() }
     }
 
     /// The outcome of a pass that had nothing to do. *Cost*: O(1).
@@ -60,7 +60,7 @@ impl Outcome {
         Outcome {
             provenance: Provenance::same(mesh.counts()),
             mesh: mesh.clone(),
-            mended: Mended::default(),
+            fixed: Fixed::default(),
             left: Vec::new(),
             report: None,
             seam: None,

@@ -15,7 +15,7 @@ use self::run::Run;
 pub use self::storage::{FaceStorage, Writing};
 use crate::figures::Figures;
 use crate::{
-    AnyPass, Clearance, Compact, Context, Distance, Emptied, Emptying, Examined, Mended, NonOrientable,
+    AnyPass, Clearance, Compact, Context, Distance, Emptied, Emptying, Examined, Fixed, NonOrientable,
     Orient, Outcome, PassError, PassKind, Precision, Repeated, SeamFigures, Seams, Side, Subdivision,
     TellingLayers, Unused, Weld,
 };
@@ -95,7 +95,7 @@ pub struct PassRecord {
     /// Whether it changed anything.
     pub is_changed: bool,
     /// What was wrong and no longer is, by ids of the mesh before this pass.
-    pub mended: Mended,
+    pub fixed: Fixed,
     /// What it left alone, by ids of the mesh after it.
     pub left: Vec<Defect>,
     /// χ, components and boundary loops before and after, if asked for.

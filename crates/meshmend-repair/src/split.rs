@@ -233,11 +233,11 @@ impl Task<'_> {
             let left = self.left(self.mesh);
             return Ok(Outcome { left, ..Outcome::unchanged(self.mesh) });
         }
-        let mut mended = self.mended(kernel, parts);
+        let mut fixed = self.fixed(kernel, parts);
         let coincident = inserted.edges.iter().map(|&e| Defect::coincident_edges(kernel.edge_ends(e)));
-        mended.extend(coincident.chain(seam));
+        fixed.extend(coincident.chain(seam));
         let outcome =
-            Outcome::changed(self.mesh.rebuild(draft::draft(self.mesh, names, inserted)?)?, mended.into());
+            Outcome::changed(self.mesh.rebuild(draft::draft(self.mesh, names, inserted)?)?, fixed.into());
         Ok(Outcome { left: self.left(&outcome.mesh), ..outcome })
     }
 
@@ -249,11 +249,11 @@ impl Task<'_> {
     }
 
     /// Edges of degree three and more, and vertices that are no longer one.
-    fn mended<K: Connectivity>(&self, kernel: &K, parts: &VertexParts) -> Vec<Defect> {
-        let mut mended = Vec::new();
+    fn fixed<K: Connectivity>(&self, kernel: &K, parts: &VertexParts) -> Vec<Defect> {
+        let mut fixed = Vec::new();
         if self.options.edges != SplitEdges::PinchOnly {
             let edges = kernel.edges().filter(|&e| edge_class(kernel, e) == EdgeClass::NonManifold);
-            mended.extend(edges.map(|edge| {
+            fixed.extend(edges.map(|edge| {
                 let degree = kernel.edge_degree(edge) as u32;
                 Defect::non_manifold_edge(edge, kernel.edge_ends(edge), degree)
             }));
@@ -261,7 +261,7 @@ impl Task<'_> {
         let by_vertex = parts.parts.chunk_by(|one, next| one.vertex == next.vertex);
         for (&(vertex, class), _) in parts.vertices.iter().zip(by_vertex).filter(|(_, parts)| parts.len() > 1)
         {
-            mended.push(match class {
+            fixed.push(match class {
                 VertexClass::Pinched { umbrellas, boundary_only } => {
                     Defect::pinched_vertex(vertex, umbrellas, boundary_only)
                 }
@@ -270,7 +270,7 @@ impl Task<'_> {
                 _ => Defect::singular_vertex(vertex),
             });
         }
-        mended
+        fixed
     }
 
     /// With `pinch-only`, the edges of degree three and more that are still there.

@@ -74,7 +74,7 @@ fn cut_all(mesh: &PolygonMesh, clearance: Clearance) -> Result<Outcome, PassErro
     let lowest = coincident_vertices(mesh);
     let mut cutter = FaceCutter::new(mesh, &lowest);
     let mut room = BesideMesh { mesh, clearance, free: None };
-    let (mut mended, mut left) = (Vec::new(), Vec::new());
+    let (mut fixed, mut left) = (Vec::new(), Vec::new());
     for face in mesh.faces().faces() {
         let vertices = mesh.faces().face_vertices(face);
         let corners = vertices.len() as u32;
@@ -84,15 +84,15 @@ fn cut_all(mesh: &PolygonMesh, clearance: Clearance) -> Result<Outcome, PassErro
             left.push(Defect::polygon_face(FaceId::new(cutter.face_count()), corners));
             cutter.keep(face);
         } else {
-            mended.push(Defect::polygon_face(face, corners));
+            fixed.push(Defect::polygon_face(face, corners));
             cutter.cut(face, &[(0..vertices.len()).collect()], &mut room);
         }
     }
-    if mended.is_empty() {
+    if fixed.is_empty() {
         return Ok(Outcome { left, ..Outcome::unchanged(mesh) });
     }
     let rebuilt = mesh.rebuild(cutter.into_draft()?)?;
-    Ok(Outcome { left, ..Outcome::changed(rebuilt, mended.into()) })
+    Ok(Outcome { left, ..Outcome::changed(rebuilt, fixed.into()) })
 }
 
 /// Room beside the vertices of a mesh, which are gathered when the first is wanted.

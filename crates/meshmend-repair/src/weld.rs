@@ -22,7 +22,7 @@ use meshmend_core::{DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Mended, Outcome, Pass, PassError, coincident_in_single, coincident_vertices, near};
+use crate::{Context, Fixed, Outcome, Pass, PassError, coincident_in_single, coincident_vertices, near};
 
 /// Joins vertices that are in the same place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -138,13 +138,13 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
 
 /// The mesh with each vertex replaced by the lowest one of its class.
 fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Result<Outcome, PassError> {
-    let mended = Mended::joined(lowest);
-    if mended.is_empty() {
+    let fixed = Fixed::joined(lowest);
+    if fixed.is_empty() {
         return Ok(Outcome::unchanged(mesh));
     }
-    let lowest = mended.joined_to();
+    let lowest = fixed.joined_to();
     let mut new_id = vec![VertexId(0); lowest.len()];
-    let mut sources = Vec::with_capacity(lowest.len() - mended.len());
+    let mut sources = Vec::with_capacity(lowest.len() - fixed.len());
     for (v, &low) in lowest.iter().enumerate() {
         new_id[v] = if low.index() == v {
             sources.push(Some(low));
@@ -161,7 +161,7 @@ fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Result<Outcome, PassErr
         merged_into: Some(new_id),
         ..Draft::of_faces(mesh, faces, Sources::same(old.face_count()), Sources::same(old.corner_count()))
     };
-    Ok(Outcome::changed(mesh.rebuild(draft)?, mended))
+    Ok(Outcome::changed(mesh.rebuild(draft)?, fixed))
 }
 
 #[cfg(test)]
@@ -199,7 +199,7 @@ mod tests {
         let positions = corners.map(|[x, y]| [x, y, 0.0]).to_vec();
         let mesh = Soup { positions, faces: vec![vec![0, 1, 2]] }.mesh();
         let weld = Weld { distance: Distance::Relative(1e-4) };
-        assert!(weld.apply(&mesh, &Context::default()).unwrap().mended.is_empty());
+        assert!(weld.apply(&mesh, &Context::default()).unwrap().fixed.is_empty());
     }
 
     #[test]
@@ -207,7 +207,7 @@ mod tests {
         let mesh = line(&[0.0, 1.0, 1.25, 4.0, 1e60], &[&[0, 1, 3], &[2, 3, 0]]);
         let weld = |distance| Weld { distance }.apply(&mesh, &Context::default());
         for distance in [Distance::Relative(0.1), Distance::Absolute(0.25)] {
-            let joined: Vec<_> = weld(distance).unwrap().mended.iter().collect();
+            let joined: Vec<_> = weld(distance).unwrap().fixed.iter().collect();
             assert_eq!(joined, [Defect::coincident_vertex(VertexId(2), VertexId(1))]);
         }
         assert!(weld(Distance::Absolute(1e-300)).is_err(), "what is used is too large for it, too");

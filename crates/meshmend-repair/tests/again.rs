@@ -170,7 +170,7 @@ fn what_is_stitched_and_comes_apart_again_is_no_change() {
     two.positions.extend(two.positions.clone().into_iter().map(|p| p.map(|x| -x)));
     let once = Pipeline::default().run(&two.mesh()).unwrap();
     assert_eq!((once.is_changed(), once.stitched), (false, 1));
-    assert!(once.passes.iter().all(|pass| !pass.is_changed && pass.mended.is_empty()));
+    assert!(once.passes.iter().all(|pass| !pass.is_changed && pass.fixed.is_empty()));
     // Each face with points of its own, as STL stores it.
     let apart = Soup {
         positions: two.faces.iter().flatten().map(|&v| two.positions[v as usize]).collect(),

@@ -99,7 +99,7 @@ fn pieces_of(cleaned: &Repaired, face: u32) -> Vec<Vec<u32>> {
 }
 
 fn named(repaired: &Repaired, kind: DefectKind) -> Vec<Defect> {
-    let all = repaired.passes.iter().flat_map(|pass| pass.mended.iter());
+    let all = repaired.passes.iter().flat_map(|pass| pass.fixed.iter());
     all.filter(|defect| defect.kind() == kind).collect()
 }
 

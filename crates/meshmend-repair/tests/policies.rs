@@ -203,7 +203,7 @@ fn loose_elements_follow_their_vertices_or_are_named() {
     let removed = Pipeline::default().run(&mesh).unwrap();
     assert!(removed.mesh.loose_edges().is_empty() && removed.mesh.counts().vertices == 3);
     let compact = removed.passes.iter().find(|p| p.pass == PassKind::Compact).unwrap();
-    assert_eq!(compact.mended.len(), 2 + 2);
+    assert_eq!(compact.fixed.len(), 2 + 2);
 }
 
 /// One face becomes two while another goes: the counts are those of before, the faces are not.

@@ -1,4 +1,4 @@
-//! What passes say that they mended and left, and which elements of the mesh as stored are behind those of the result.
+//! What passes say that they fixed and left, and which elements of the mesh as stored are behind those of the result.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test stops where it fails")]
 
@@ -20,15 +20,15 @@ fn in_a_row(passes: &[PassKind], plan: Plan, soup: &Soup) -> Repaired {
     Plan { passes: passes.to_vec(), ..plan }.pipeline().run(&soup.mesh()).unwrap()
 }
 
-fn mended(outcome: &Outcome) -> Vec<Defect> {
-    outcome.mended.iter().collect()
+fn fixed(outcome: &Outcome) -> Vec<Defect> {
+    outcome.fixed.iter().collect()
 }
 
 #[test]
 fn clean_names_a_repeated_triangle_with_the_first_of_its_kind() {
     let soup = Soup::generic(6, [[3, 4, 5], [0, 1, 2], [0, 2, 1], [1, 2, 0]]);
     let cleaned = alone(&Clean::default(), &soup);
-    assert_eq!(mended(&cleaned), [Defect::duplicate_face(FaceId(3), FaceId(1))]);
+    assert_eq!(fixed(&cleaned), [Defect::duplicate_face(FaceId(3), FaceId(1))]);
     assert_eq!(Soup::of_mesh(&cleaned.mesh).faces, soup.faces[..3]);
 }
 
@@ -36,7 +36,7 @@ fn clean_names_a_repeated_triangle_with_the_first_of_its_kind() {
 fn orient_has_nothing_to_say_of_a_mesh_that_is_oriented() {
     for shape in [shapes::tetrahedron(), shapes::fan(5), shapes::torus(5, 4, shapes::Tiles::Quads)] {
         let outcome = alone(&Orient::default(), &shape.soup);
-        assert_eq!((mended(&outcome), outcome.left), (vec![], vec![]), "{}", shape.name);
+        assert_eq!((fixed(&outcome), outcome.left), (vec![], vec![]), "{}", shape.name);
     }
 }
 
@@ -53,7 +53,7 @@ fn orient_names_a_dropped_face_with_the_one_that_stays() {
     let mut soup = Soup::generic(6, [[3, 4, 5], [0, 1, 2], [6, 7, 8]]);
     soup.positions.extend_from_within(..3);
     let repaired = in_a_row(&[PassKind::Weld, PassKind::Orient], Plan::default(), &soup);
-    let named: Vec<Defect> = repaired.passes[1].mended.iter().collect();
+    let named: Vec<Defect> = repaired.passes[1].fixed.iter().collect();
     assert_eq!(named, [Defect::duplicate_face(FaceId(2), FaceId(1))]);
 }
 
@@ -63,11 +63,11 @@ fn opposite_faces_are_called_so_whether_they_stay_or_go() {
     let orient = |duplicates| alone(&Orient { duplicates, ..Orient::default() }, &wall);
     let second = Defect::opposite_face(FaceId(2), FaceId(1));
     let kept = orient(Duplicates::Keep);
-    assert_eq!((mended(&kept), &kept.left[..]), (vec![], &[second.clone()][..]));
+    assert_eq!((fixed(&kept), &kept.left[..]), (vec![], &[second.clone()][..]));
     let first = orient(Duplicates::KeepFirst);
-    assert_eq!((mended(&first), &first.left[..]), (vec![second], &[][..]));
+    assert_eq!((fixed(&first), &first.left[..]), (vec![second], &[][..]));
     let gone = orient(Duplicates::RemovePair);
-    let kinds: Vec<DefectKind> = mended(&gone).iter().map(Defect::kind).collect();
+    let kinds: Vec<DefectKind> = fixed(&gone).iter().map(Defect::kind).collect();
     assert_eq!((kinds, gone.left), (vec![DefectKind::OppositeFace; 2], vec![]));
 }
 
@@ -76,9 +76,9 @@ fn split_names_the_edges_that_it_took_apart_or_left() {
     let book = Soup::generic(5, [[0, 1, 2], [0, 1, 3], [0, 1, 4]]);
     let spine = Defect::non_manifold_edge(EdgeId(0), [0, 1].map(VertexId), 3);
     let sheets = alone(&Split::default(), &book);
-    assert!(mended(&sheets).contains(&spine) && sheets.left.is_empty(), "{:?}", sheets.mended);
+    assert!(fixed(&sheets).contains(&spine) && sheets.left.is_empty(), "{:?}", sheets.fixed);
     let whole = alone(&Split { edges: SplitEdges::PinchOnly, ..Split::default() }, &book);
-    assert!(mended(&whole).is_empty() && whole.left == [spine], "{:?}", whole.mended);
+    assert!(fixed(&whole).is_empty() && whole.left == [spine], "{:?}", whole.fixed);
 }
 
 /// A vertex with a hair's breadth to the next one, in a face that is gone once they are joined: what is left of the two
@@ -108,7 +108,7 @@ fn a_relative_tolerance_is_a_part_of_the_diagonal() {
     let mut plan = Plan::default();
     plan.weld.distance = Distance::Relative(0.01);
     let welded = in_a_row(&[PassKind::Weld], plan, &soup);
-    let joined: Vec<Defect> = welded.passes[0].mended.iter().collect();
+    let joined: Vec<Defect> = welded.passes[0].fixed.iter().collect();
     assert_eq!(joined, [Defect::coincident_vertex(VertexId(1), VertexId(0))]);
 }
 

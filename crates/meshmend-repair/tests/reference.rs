@@ -167,14 +167,14 @@ fn faults(mesh: &PolygonMesh, soup: &Soup, holes: &[u32]) -> Vec<String> {
     let plan = Plan { passes: vec![PassKind::Weld, PassKind::Clean], ..Plan::default() };
     let cleaned = plan.pipeline().run(mesh).unwrap();
     let positions = reference::exact_positions(soup);
-    let named = cleaned.passes.iter().flat_map(|pass| pass.mended.iter());
+    let named = cleaned.passes.iter().flat_map(|pass| pass.fixed.iter());
     let spared: Vec<FaceId> = named
         .filter(|defect| matches!(defect.kind, DefectKind::CrossingFace | DefectKind::DuplicateFace))
         .filter_map(|defect| defect.at.face())
         .collect();
     // What goes in a second round has other numbers there.
     let is_repeat = |defect: Defect| defect.kind == DefectKind::DuplicateFace;
-    if cleaned.passes.iter().skip(2).any(|pass| pass.mended.iter().any(is_repeat)) {
+    if cleaned.passes.iter().skip(2).any(|pass| pass.fixed.iter().any(is_repeat)) {
         return faults;
     }
     for &hole in holes.iter().filter(|&&hole| !spared.contains(&FaceId(hole))) {

@@ -38,7 +38,7 @@ fn assert_seam(shape: &Shape, edges: u64, vertices: u64) {
     assert_eq!((found.edges, found.edges_added, found.vertices_added), (edges, edges, vertices));
     assert_eq!(growth(&mesh, &repaired.mesh), [edges, vertices], "the record is what was added");
     let split = repaired.passes.iter().find(|record| record.pass == PassKind::Split).unwrap();
-    let named: Vec<_> = split.mended.iter().filter(|d| d.kind() == DefectKind::SeamEdge).collect();
+    let named: Vec<_> = split.fixed.iter().filter(|d| d.kind() == DefectKind::SeamEdge).collect();
     assert_eq!(named.len() as u64, edges);
     let report = oracle::report(&Soup::of_mesh(&repaired.mesh));
     assert!(report.orientable && report.consistently_oriented && report.manifold);

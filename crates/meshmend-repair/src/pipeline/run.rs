@@ -8,7 +8,7 @@ use meshmend_topology::TopologyReport;
 
 use super::{FaceStorage, PassRecord, RemovedFace, Repaired};
 use crate::figures::Figures;
-use crate::{History, Mended, Outcome, PassError, PassKind};
+use crate::{Fixed, History, Outcome, PassError, PassKind};
 
 /// A pipeline under way.
 pub(super) struct Run {
@@ -55,7 +55,7 @@ impl Run {
 
     /// Takes over what a pass did.
     pub(super) fn record(&mut self, pass: PassKind, outcome: Outcome) {
-        let is_changed = !outcome.provenance.is_same() || !outcome.mended.is_empty();
+        let is_changed = !outcome.provenance.is_same() || !outcome.fixed.is_empty();
         if is_changed {
             self.name_removed_faces(pass, &outcome);
             self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
@@ -67,7 +67,7 @@ impl Run {
         self.passes.push(PassRecord {
             pass,
             is_changed,
-            mended: outcome.mended,
+            fixed: outcome.fixed,
             left: outcome.left,
             figures: None,
             seam: outcome.seam,
@@ -115,7 +115,7 @@ impl Run {
     /// Finds, for each face of which this pass left nothing, the defect that names it.
     fn name_removed_faces(&mut self, pass: PassKind, outcome: &Outcome) {
         let mut reasons: Vec<(FaceId, DefectKind)> = outcome
-            .mended
+            .fixed
             .listed()
             .iter()
             .filter_map(|defect| Some((removed_face(defect)?, defect.kind())))
@@ -176,9 +176,9 @@ impl Run {
     fn stitched(&self, storage: &FaceStorage, is_same: bool) -> usize {
         let Some(weld) = self.passes.first() else { return 0 };
         if is_same {
-            return weld.mended.joined_to().iter().enumerate().filter(|(v, low)| low.index() != *v).count();
+            return weld.fixed.joined_to().iter().enumerate().filter(|(v, low)| low.index() != *v).count();
         }
-        let joined_to = weld.mended.joined_to();
+        let joined_to = weld.fixed.joined_to();
         let is_split = self.passes.iter().any(|record| record.pass == PassKind::Split && record.is_changed);
         if joined_to.is_empty() || (!storage.is_apart() && !is_split) {
             return 0;
@@ -189,7 +189,7 @@ impl Run {
             && provenance.before.vertices == provenance.before.corners
         {
             // Every vertex as stored has a corner of its own, and all are there.
-            return weld.mended.len();
+            return weld.fixed.len();
         }
         let stays: Vec<bool> = if storage.is_apart() {
             let mut stays = vec![false; joined_to.len()];
@@ -208,7 +208,7 @@ impl Run {
 fn forget_changes(passes: &mut [PassRecord]) {
     let last = passes.last().and_then(|record| record.figures);
     for record in passes {
-        (record.is_changed, record.mended, record.seam) = (false, Mended::default(), None);
+        (record.is_changed, record.fixed, record.seam) = (false, Fixed::default(), None);
         record.figures = last.map(|[_, after]| [after; 2]);
     }
 }

@@ -70,14 +70,14 @@ pub(crate) fn step_laws(
     outcome: &Outcome,
 ) -> Result<World, String> {
     let change = Change { before: &world.mesh, after: &outcome.mesh, record: &outcome.provenance };
-    let mended: Vec<Defect> = outcome.mended.iter().collect();
+    let fixed: Vec<Defect> = outcome.fixed.iter().collect();
     change.record_law()?;
-    change.naming_law(&mended)?;
+    change.naming_law(&fixed)?;
     change.attribute_law()?;
     let found = if outcome.provenance.is_same() && is_equal(&outcome.mesh, &world.mesh) {
-        if !change.is_none() || !mended.is_empty() {
+        if !change.is_none() || !fixed.is_empty() {
             return Err(format!(
-                "nothing changed, and yet the mesh is another value, or is mended: {mended:?}"
+                "nothing changed, and yet the mesh is another value, or is fixed: {fixed:?}"
             ));
         }
         world.found.clone()
@@ -118,7 +118,7 @@ fn laws(pass: &AnyPass, world: &World) -> Result<(), String> {
     let after = step_laws(pass, Patches::ByEdges, world, &outcome)?;
     let change = Change { before: &world.mesh, after: &outcome.mesh, record: &outcome.provenance };
     let joined: BTreeSet<(VertexId, VertexId)> =
-        outcome.mended.iter().filter_map(|defect| joined_vertices(&defect)).collect();
+        outcome.fixed.iter().filter_map(|defect| joined_vertices(&defect)).collect();
     change.place_law(|from, to| joined.contains(&(from, to)))?;
     change.bit_law()?;
     if world.is_tidy() && *pass == pass.kind().with_defaults() && !change.is_none() {
@@ -135,10 +135,10 @@ fn laws(pass: &AnyPass, world: &World) -> Result<(), String> {
     }
     let again = pass.as_pass().apply(&after.mesh, &Context::default()).map_err(|error| error.to_string())?;
     let change = Change { before: &after.mesh, after: &again.mesh, record: &again.provenance };
-    if change.is_none() && again.mended.is_empty() {
+    if change.is_none() && again.fixed.is_empty() {
         Ok(())
     } else {
-        Err(format!("a second time it mends {:?}", again.mended.iter().collect::<Vec<_>>()))
+        Err(format!("a second time it mends {:?}", again.fixed.iter().collect::<Vec<_>>()))
     }
 }
 

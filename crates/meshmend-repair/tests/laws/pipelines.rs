@@ -61,7 +61,7 @@ fn assert_lawful(pipeline: &Pipeline, mesh: &PolygonMesh) -> Option<Repaired> {
         let outcome = honest(pass.as_pass().apply(&world.mesh, &context))?;
         let after = step_laws(pass, Patches::ByMatching, &world, &outcome)
             .unwrap_or_else(|why| panic!("{pass:?}: {why}"));
-        has_moved |= outcome.mended.iter().any(|defect| joins_places(&defect, &world.mesh));
+        has_moved |= outcome.fixed.iter().any(|defect| joins_places(&defect, &world.mesh));
         history = history.extended(&outcome.provenance, &outcome.mesh);
         world = after;
         let all = Change { before: &stored.mesh, after: &world.mesh, record: history.provenance() };

@@ -31,19 +31,19 @@ pub(crate) struct Given {
     faces: Vec<Vec<u32>>,
     layers: String,
     record: Provenance,
-    mended: Vec<Defect>,
+    fixed: Vec<Defect>,
     left: Vec<Defect>,
 }
 
 impl Given {
-    fn of(mesh: &PolygonMesh, record: &Provenance, mended: Vec<Defect>, left: Vec<Defect>) -> Self {
+    fn of(mesh: &PolygonMesh, record: &Provenance, fixed: Vec<Defect>, left: Vec<Defect>) -> Self {
         let (faces, layers) = (meshmend_testkit::Soup::of_mesh(mesh).faces, format!("{:?}", mesh.layers()));
-        Given { positions: bits(mesh), faces, layers, record: record.clone(), mended, left }
+        Given { positions: bits(mesh), faces, layers, record: record.clone(), fixed, left }
     }
 
     fn by_pass(outcome: &Outcome) -> Self {
-        let (mended, left) = (outcome.mended.iter().collect(), outcome.left.clone());
-        Given::of(&outcome.mesh, &outcome.provenance, mended, left)
+        let (fixed, left) = (outcome.fixed.iter().collect(), outcome.left.clone());
+        Given::of(&outcome.mesh, &outcome.provenance, fixed, left)
     }
 
     fn by_pipeline(pipeline: &Pipeline, mesh: &PolygonMesh) -> Result<Self, PassError> {
@@ -51,9 +51,9 @@ impl Given {
     }
 
     fn in_all(repaired: &Repaired) -> Self {
-        let mended = repaired.passes.iter().flat_map(|pass| pass.mended.iter()).collect();
+        let fixed = repaired.passes.iter().flat_map(|pass| pass.fixed.iter()).collect();
         let left = repaired.passes.iter().flat_map(|pass| pass.left.clone()).collect();
-        Given::of(&repaired.mesh, &repaired.provenance, mended, left)
+        Given::of(&repaired.mesh, &repaired.provenance, fixed, left)
     }
 }
 

@@ -129,12 +129,12 @@ impl Change<'_> {
     }
 
     /// Nothing changes without a word, in one step: what is no longer there, or there twice, or in pieces, is named
-    /// among what was mended, and so is whatever asked for a new vertex.
+    /// among what was fixed, and so is whatever asked for a new vertex.
     ///
     /// # Errors
     /// The first element that changed and is not named.
-    pub fn naming_law(&self, mended: &[Defect]) -> Result<(), String> {
-        let named = Named::of(mended);
+    pub fn naming_law(&self, fixed: &[Defect]) -> Result<(), String> {
+        let named = Named::of(fixed);
         let survivors = self.record.faces.survivors(self.before.counts().faces);
         let gone = |face: &FaceId| !survivors[face.index()];
         let reason = |face: &FaceId| {
@@ -149,7 +149,7 @@ impl Change<'_> {
         }
         self.pieces_are_named(&named)?;
         self.vertices_are_named(&named)?;
-        let kept = |list: usize, kind| list - mended.iter().filter(|defect| defect.kind() == kind).count();
+        let kept = |list: usize, kind| list - fixed.iter().filter(|defect| defect.kind() == kind).count();
         let edges = kept(self.before.loose_edges().len(), DefectKind::LooseEdge);
         same("the number", "loose edges", self.after.loose_edges().len(), edges)?;
         let points = kept(self.before.loose_points().len(), DefectKind::LoosePoint);
@@ -284,9 +284,9 @@ struct Named {
 }
 
 impl Named {
-    fn of(mended: &[Defect]) -> Self {
+    fn of(fixed: &[Defect]) -> Self {
         let mut named = Named::default();
-        for defect in mended {
+        for defect in fixed {
             match defect.kind {
                 DefectKind::DegenerateFace
                 | DefectKind::NonFiniteFace

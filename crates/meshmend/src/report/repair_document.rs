@@ -233,7 +233,7 @@ impl PassDocument {
         PassDocument {
             pass: record.pass,
             changed: record.is_changed,
-            mended: by_kind(record.mended.iter(), limit),
+            mended: by_kind(record.fixed.iter(), limit),
             left: by_kind(record.left.iter().cloned(), limit),
             delta: record.figures.map(|[before, after]| FigureChanges::between(before, after)),
             seam: record.seam,

@@ -33,14 +33,14 @@ fn changed(
 fn all_laws(
     before: &PolygonMesh,
     (after, record): &(PolygonMesh, Provenance),
-    mended: &[Defect],
+    fixed: &[Defect],
 ) -> Result<(), String> {
     let change = Change { before, after, record };
     change.record_law()?;
     change.place_law(|_, _| false)?;
     change.bit_law()?;
     change.attribute_law()?;
-    change.naming_law(mended)
+    change.naming_law(fixed)
 }
 
 #[track_caller]
@@ -58,8 +58,8 @@ fn a_true_record_keeps_all_laws() {
     });
     assert_eq!(all_laws(&square(), &flipped, &[]), Ok(()));
     let removed = changed(&[&[2, 1, 3]], [&[1], &[3, 4, 5]], |_| {});
-    let mended = [Defect::duplicate_face(FaceId(0), FaceId(1))];
-    assert_eq!(all_laws(&square(), &removed, &mended), Ok(()));
+    let fixed = [Defect::duplicate_face(FaceId(0), FaceId(1))];
+    assert_eq!(all_laws(&square(), &removed, &fixed), Ok(()));
 }
 
 #[test]

@@ -1,13 +1,13 @@
-//! What a pass mended, in little memory.
+//! What a pass fixed, in little memory.
 
 use meshmend_core::{Defect, EdgeId, Id, VertexId};
 
 /// What was wrong and no longer is, by ids of the mesh before.
 ///
-/// Welding a soup of ten million triangles joins twenty-five million vertices, and turning half of its faces mends seven
+/// Welding a soup of ten million triangles joins twenty-five million vertices, and turning half of its faces fixes seven
 /// million edges, so those are kept as bare numbers and are made into defects as they are asked for.
 #[derive(Clone, Debug, Default)]
-pub struct Mended {
+pub struct Fixed {
     listed: Vec<Defect>,
     /// Inconsistent edges with their ends, ascending.
     turned: Vec<(EdgeId, [VertexId; 2])>,
@@ -16,24 +16,24 @@ pub struct Mended {
     joined: usize,
 }
 
-impl Mended {
+impl Fixed {
     /// The vertices that were joined to others: for each vertex the lowest one of its class.
     pub(crate) fn joined(joined_to: Vec<VertexId>) -> Self {
         let joined = joined_to.iter().enumerate().filter(|(v, low)| low.index() != *v).count();
-        Mended { joined_to, joined, ..Mended::default() }
+        Fixed { joined_to, joined, ..Fixed::default() }
     }
 
     /// Inconsistent edges with their ends, ascending, and faces that went before they could be turned.
     pub(crate) fn turned(turned: Vec<(EdgeId, [VertexId; 2])>, faces: Vec<Defect>) -> Self {
-        Mended { turned, ..faces.into() }
+        Fixed { turned, ..faces.into() }
     }
 
-    /// How many defects were mended.
+    /// How many defects were fixed.
     pub fn len(&self) -> usize {
         self.listed.len() + self.turned.len() + self.joined
     }
 
-    /// Whether there was nothing to mend.
+    /// Whether there was nothing to fix.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -58,10 +58,10 @@ impl Mended {
     }
 }
 
-impl From<Vec<Defect>> for Mended {
+impl From<Vec<Defect>> for Fixed {
     /// Sorts them by kind and id.
     fn from(mut listed: Vec<Defect>) -> Self {
         listed.sort();
-        Mended { listed, ..Mended::default() }
+        Fixed { listed, ..Fixed::default() }
     }
 }
