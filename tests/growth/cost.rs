@@ -41,8 +41,15 @@ pub(crate) fn print(mesh: &PolygonMesh, allocator: &Cap<System>) {
     println!("{size} {} {} {micros}", allocator.max_allocated(), allocator.total_allocated());
 }
 
-/// A cost in time is compared only where it is at least this, in seconds: below, other work on the machine decides.
+/// A cost in time tells nothing where it is less than this, in seconds: other work on the machine decides.
 const LEAST_TIME: f64 = 1.0;
+/// How much more time twice as much may take before its instructions are counted.
+const SUSPICIOUS_GROWTH: f64 = 2.6;
+
+/// Whether instructions can be counted here.
+pub(crate) fn has_valgrind() -> bool {
+    Command::new("valgrind").arg("--version").output().is_ok_and(|output| output.status.success())
+}
 
 impl Cost {
     /// The cost of making a mesh and of some work on it.
@@ -111,14 +118,12 @@ impl Comparison<'_> {
             instructions.map(|(less, more)| growth(less, more)),
         ]
     }
-}
 
-impl Comparison<'_> {
-    /// How many times as much time is taken where there is just twice as much, if it is enough to be measured.
-    pub(crate) fn growth_in_time(&self) -> Option<f64> {
+    /// Whether time gives a reason to count instructions.
+    pub(crate) fn seems_too_slow(&self) -> bool {
         let [less, more] = &self.costs;
         let doublings = (more.size as f64 / less.size as f64).log2();
-        (more.time >= LEAST_TIME).then(|| (more.time / less.time).powf(1.0 / doublings))
+        more.time >= LEAST_TIME && (more.time / less.time).powf(1.0 / doublings) > SUSPICIOUS_GROWTH
     }
 }
 

@@ -9,6 +9,8 @@ mod explain;
 mod flatten;
 mod incremental;
 mod kernels;
+#[cfg(not(feature = "flatten"))]
+mod left_out;
 mod loops;
 mod make;
 mod render;
@@ -35,6 +37,8 @@ pub(crate) enum Command {
     Incremental(incremental::Incremental),
     #[cfg(feature = "flatten")]
     Flatten(flatten::Flatten),
+    #[cfg(not(feature = "flatten"))]
+    Flatten(left_out::LeftOut),
     Make(make::Make),
     Kernels(kernels::Kernels),
     Explain(explain::Explain),
@@ -55,6 +59,8 @@ impl Command {
             #[cfg(feature = "flatten")]
             Command::Flatten(command) => slice::from_ref(&command.input),
             Command::Kernels(command) => command.file.as_slice(),
+            #[cfg(not(feature = "flatten"))]
+            Command::Flatten(_) => &[],
             Command::Make(_) | Command::Explain(_) | Command::Completions(_) => &[],
         }
     }
@@ -70,6 +76,8 @@ impl Command {
             Command::Incremental(command) => command.run(console),
             #[cfg(feature = "flatten")]
             Command::Flatten(command) => command.run(console),
+            #[cfg(not(feature = "flatten"))]
+            Command::Flatten(command) => command.run(),
             Command::Make(command) => command.run(console),
             Command::Kernels(command) => command.run(console),
             Command::Explain(command) => command.run(rules, console),
