@@ -26,43 +26,29 @@
 //!
 //! [`PolygonMesh`]: meshmend_core::PolygonMesh
 
-mod ahead;
-mod assemble;
-mod atomic;
-mod blocks;
+mod binary;
 mod error;
-mod foreign;
-mod format;
-mod held;
-mod layers;
+mod formats;
+mod input;
 mod limits;
-mod line;
 mod loss;
 mod note;
-mod obj;
-mod off;
-mod ply;
-mod prepare;
+mod output;
 mod read;
-mod rounding;
-mod seams;
 mod shell;
-mod sink;
-mod stl;
 mod text;
-mod texture_numbers;
 mod write;
 
-pub use atomic::{abandon_temporary_files, replace_file, target_of};
 pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
-pub use format::{Encoding, Format};
-pub use held::held_layers;
+pub use formats::format::{Encoding, Format};
+pub use formats::stl::colors::{ColorElements, decode_stl_colors};
 pub use limits::Limits;
 pub use loss::{Loss, LossKind};
 pub use note::{Note, NoteKind};
-pub use prepare::Prepared;
+pub use output::atomic::{abandon_temporary_files, replace_file, target_of};
+pub use output::held::held_layers;
+pub use output::prepare::Prepared;
+pub use output::rounding::rounding_losses;
 pub use read::{ReadFile, ReadOptions, read, read_bytes, read_stream};
-pub use rounding::rounding_losses;
 pub use shell::Shell;
-pub use stl::colors::{ColorElements, decode_stl_colors};
 pub use write::{AttributePrecision, Seams, WriteOptions, encode, losses, write};

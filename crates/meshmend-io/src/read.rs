@@ -6,11 +6,12 @@ use std::path::Path;
 
 use meshmend_core::PolygonMesh;
 
-use crate::ahead::Pace;
+use crate::formats::foreign;
+use crate::formats::obj::companions;
 use crate::limits::STREAM_BYTES;
 use crate::note::Notes;
-use crate::obj::companions;
-use crate::{Format, Limits, Note, NoteKind, Place, ReadError, ReadErrorKind, Shell, foreign};
+use crate::text::speculative_parse::Pace;
+use crate::{Format, Limits, Note, NoteKind, Place, ReadError, ReadErrorKind, Shell};
 
 /// How to read.
 #[derive(Clone, Copy, Debug, Default)]

@@ -5,11 +5,11 @@
 
 use std::sync::Arc;
 
-use crate::obj::ObjShape;
-use crate::obj::companions::Companions;
-use crate::off::OffShape;
-use crate::ply::PlyShape;
-use crate::stl::StlShape;
+use crate::formats::obj::ObjShape;
+use crate::formats::obj::companions::Companions;
+use crate::formats::off::OffShape;
+use crate::formats::ply::PlyShape;
+use crate::formats::stl::StlShape;
 use crate::{Encoding, Format};
 
 /// How a file was written: its format, its encoding, and what else its format lets a writer choose.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use meshmend_core::PolygonMesh;
 
-use crate::obj::companions;
+use crate::formats::obj::companions;
 use crate::{Encoding, Format, Loss, Prepared, ReadFile, Shell, WriteError, WriteErrorKind};
 
 /// How to write.

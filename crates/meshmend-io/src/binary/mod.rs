@@ -1,0 +1,3 @@
+//! What readers of binary values share.
+
+pub(crate) mod block_reader;

@@ -1,0 +1,64 @@
+//! OBJ: text with one statement a line.
+//!
+//! | statement | becomes |
+//! |---|---|
+//! | `v x y z`, `v x y z w`, `v x y z r g b`, `v x y z r g b a` | a vertex; layer `weight` where some w is not 1; layer `color` |
+//! | `vt`, `vn` | the pools of the corner layers `texcoord` (one to three numbers) and `normal` |
+//! | `f` | a face, however many corners it has |
+//! | `l`, `p` | loose edges, loose points; edges of one statement have one value in the layer `polyline`, and their texture coordinates are in the layers `texcoord` (where an edge starts) and `texcoord_end` |
+//! | `o`, `g`, `usemtl`, `s` | the layers `object`, `group`, `material`, `smoothing` of faces and loose elements; no name (or `s off`) is no value; each statement is a value of its own |
+//! | `mtllib`, `#` | metadata; a comment after the first vertex stands before the element that follows it |
+//!
+//! Any other statement is skipped and noted. Indices count from 1, or back from the last vertex when negative; a
+//! face may name later vertices. A vertex index that does not exist is an error; a texture or normal index that
+//! does not exist leaves the corner without that value and is noted, as the geometry is whole. `\` at the end of
+//! a line continues it (not a comment). Lines end with LF, CR LF or CR.
+
+mod comments;
+pub(crate) mod companions;
+mod cursor;
+mod finish;
+mod library;
+mod loose;
+mod names;
+mod pools;
+mod read;
+mod statements;
+mod write;
+mod write_loose;
+mod write_names;
+
+use crate::formats::format::Driver;
+use crate::shell::Shape;
+use crate::{Encoding, Prepared};
+
+pub(crate) static DRIVER: Driver = Driver {
+    name: "OBJ",
+    extensions: &["obj"],
+    encodings: &[Encoding::Ascii],
+    holds_polygons: true,
+    sniff: |head, _| read::sniff(head),
+    read: read::read,
+    read_blocks: |_, _, _| None,
+    prepare: write::prepare,
+    encode: write::encode,
+    losses: write::losses,
+};
+
+/// What an OBJ file's writer chose.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct ObjShape {
+    /// Whether colours have a fourth number. Most other programs misread a vertex of seven numbers, so they get it only where
+    /// it was there.
+    has_alpha: bool,
+}
+
+impl ObjShape {
+    /// How many numbers of a colour are written: four where the mesh comes from an OBJ with four.
+    fn color_width(prepared: &Prepared) -> usize {
+        match prepared.shape() {
+            Some(Shape::Obj(shape)) if shape.has_alpha => 4,
+            _ => 3,
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The rows of an element, column by column.
+
+use meshmend_core::{Carry, Domain, Layer, Values};
+
+use crate::ReadError;
+use crate::formats::ply::data::{Data, RowReader};
+use crate::formats::ply::header::{Element, Property};
+use crate::formats::ply::rows::TableRows;
+
+/// The values of the columns of an element, apart from the one that is read in another way.
+pub(super) struct Columns {
+    /// As many as there are properties; empty ones where nothing is kept.
+    pub(super) values: Vec<Values>,
+}
+
+impl Columns {
+    pub(super) fn new(element: &Element) -> Self {
+        let empty = |property: &Property| match property.length {
+            None => property.item.empty(),
+            Some(_) => Values::Lists { starts: vec![0], items: Box::new(property.item.empty()) },
+        };
+        Columns { values: element.properties.iter().map(empty).collect() }
+    }
+
+    /// Reads the next value or list of a column.
+    #[inline]
+    pub(super) fn read(
+        &mut self,
+        element: &Element,
+        column: usize,
+        data: &mut impl Data,
+    ) -> Result<(), ReadError> {
+        let property = &element.properties[column];
+        match (property.length, &mut self.values[column]) {
+            (Some(length), Values::Lists { starts, items }) => {
+                let at = data.at();
+                let count = data.length(length, property.item)?;
+                (0..count).try_for_each(|_| data.push(property.item, items))?;
+                let end = u32::try_from(items.len());
+                starts.push(end.map_err(|_| data.wrong(at, "lists of more items than can be held"))?);
+                Ok(())
+            }
+            (_, values) => data.push(property.item, values),
+        }
+    }
+
+    /// Appends rows of numbers, all of them to columns that hold numbers, in the order of the columns.
+    pub(super) fn append(&mut self, columns: impl Iterator<Item = usize> + Clone, rows: &[f64]) {
+        let width = columns.clone().count();
+        for (offset, column) in columns.enumerate() {
+            extend(&mut self.values[column], rows.iter().skip(offset).step_by(width).copied());
+        }
+    }
+}
+
+/// Appends numbers that are all of the values' type.
+fn extend(values: &mut Values, numbers: impl Iterator<Item = f64>) {
+    match values {
+        Values::I8(v) => v.extend(numbers.map(|x| x as i8)),
+        Values::U8(v) => v.extend(numbers.map(|x| x as u8)),
+        Values::I16(v) => v.extend(numbers.map(|x| x as i16)),
+        Values::U16(v) => v.extend(numbers.map(|x| x as u16)),
+        Values::I32(v) => v.extend(numbers.map(|x| x as i32)),
+        Values::U32(v) => v.extend(numbers.map(|x| x as u32)),
+        Values::F32(v) => v.extend(numbers.map(|x| x as f32)),
+        Values::F64(v) => v.extend(numbers),
+        Values::Text(_) | Values::Lists { .. } => {}
+    }
+}
+
+impl Columns {
+    /// All rows of an element.
+    pub(super) fn of_rows(element: &Element, data: &mut impl Data) -> Result<Self, ReadError> {
+        let mut columns = Columns::new(element);
+        if element.properties.is_empty() {
+            return Ok(columns);
+        }
+        let sizes = element.properties.iter().map(|property| property.item.size());
+        let offsets = sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size)));
+        let offsets: Vec<usize> = offsets.collect();
+        let is_read = data.fixed_rows(element, |rows| {
+            columns.values.iter_mut().zip(&offsets).for_each(|(values, &at)| rows.extend(values, at));
+        })?;
+        if !is_read {
+            data.each_row(element, None, &mut TableRows { element, columns: &mut columns })?;
+        }
+        Ok(columns)
+    }
+
+    /// A layer a column, in which each row has its own value.
+    pub(super) fn into_layers(self, element: &Element) -> Vec<Layer> {
+        let columns = self.values.into_iter().zip(&element.properties);
+        let layer = |(values, property): (Values, &Property)| {
+            Layer::direct(property.name.clone(), Domain::Face, 1, Carry::Clear, values)
+        };
+        columns.map(layer).collect()
+    }
+}
+
+/// Passes over the rows of an element.
+pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
+    if element.properties.is_empty() || data.fixed_rows(element, |_| ())? {
+        return Ok(());
+    }
+    data.each_row(element, None, &mut SkippedRows(element))
+}
+
+/// Passes over rows.
+struct SkippedRows<'r>(&'r Element);
+
+impl RowReader for SkippedRows<'_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        self.0.properties.iter().try_for_each(|property| skip_property(property, data))
+    }
+}
+
+/// Passes over the next value or list.
+pub(super) fn skip_property(property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
+    let count = match property.length {
+        None => 1,
+        Some(length) => data.length(length, property.item)?,
+    };
+    (0..count).try_for_each(|_| data.number(property.item).map(drop))
+}

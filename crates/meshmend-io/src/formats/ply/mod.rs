@@ -1,0 +1,85 @@
+//! PLY: a header that declares elements with properties of given types, and their values as text or binary.
+//!
+//! | element, property | becomes |
+//! |---|---|
+//! | `vertex`: `x y z` | a vertex; values are those of the declared type, also in text |
+//! | `nx ny nz`, `red green blue [alpha]`, `s t` or `u v` or `texture_u texture_v`, all of one type | the layers `normal`, `color`, `texcoord` of vertices or faces |
+//! | any other property | a layer of that name and type; lists stay lists |
+//! | `face`: list `vertex_indices` or `vertex_index` | a face |
+//! | `face`: list `texcoord` of two numbers a corner, list `corner_NAME` of any number a corner | the corner layers `texcoord`, `NAME` |
+//! | `tristrips`: list `vertex_indices` with −1 for a restart | triangles, every second one reversed; those that name a vertex twice are stitches, noted and no faces |
+//! | `edge`: `vertex1 vertex2` | a loose edge |
+//! | any other element | rows that a PLY output carries as they are |
+//! | `comment`, `obj_info` | metadata |
+//!
+//! **Text.** A row stands on a line of its own. A file whose rows are wrapped otherwise is accepted, with a note, if it
+//! comes out even at the end of each element and of the file; else the error names the first line with a wrong number
+//! of values.
+//!
+//! Elements and properties may come in any order, and are written in the order, by the names and in the types that the file
+//! declared from which the mesh comes, where those types hold every value. Without such a file positions are written as
+//! `float` where that holds every one of them exactly, else as `double`. What is written reads back to the same layers,
+//! whatever their names and types, but for what a writer does for the sake of other programs: attributes of vertices whose
+//! corners differ, normals, and texture coordinates of polygons are written with the vertices, which are split for that; and
+//! those of other formats in the types that are expected in a PLY.
+
+mod binary;
+mod columns;
+mod data;
+mod expected;
+mod header;
+mod interpret;
+mod layers;
+mod lines;
+mod listed;
+mod plain;
+mod plan;
+mod prepare;
+mod property;
+mod read;
+mod rows;
+mod scalar;
+mod shape;
+mod strips;
+mod table;
+mod types;
+mod write;
+
+pub(crate) use self::shape::PlyShape;
+use crate::Encoding;
+use crate::formats::format::Driver;
+
+pub(crate) static DRIVER: Driver = Driver {
+    name: "PLY",
+    extensions: &["ply"],
+    encodings: &[Encoding::LittleEndian, Encoding::BigEndian, Encoding::Ascii],
+    holds_polygons: true,
+    sniff: |head, _| header::sniff(head),
+    read: read::read,
+    read_blocks: read::read_blocks,
+    prepare: prepare::prepare,
+    encode: write::encode,
+    losses: plan::losses,
+};
+
+/// Names that stand for one layer together.
+struct Group {
+    layer: &'static str,
+    members: &'static [&'static str],
+}
+
+/// The groups, a longer one before a shorter one of which it is an extension.
+const GROUPS: [Group; 6] = [
+    Group { layer: "normal", members: &["nx", "ny", "nz"] },
+    Group { layer: "color", members: &["red", "green", "blue", "alpha"] },
+    Group { layer: "color", members: &["red", "green", "blue"] },
+    Group { layer: "texcoord", members: &["s", "t"] },
+    Group { layer: "texcoord", members: &["u", "v"] },
+    Group { layer: "texcoord", members: &["texture_u", "texture_v"] },
+];
+
+/// The key of metadata that says which names a grouped layer's properties had, where not the usual ones.
+const PROPERTY_NAMES: &str = "ply-property";
+
+/// What a list property's name begins with when its values are those of the corners.
+const CORNER_PREFIX: &str = "corner_";

@@ -1,0 +1,268 @@
+//! The PLY reader: element after element, in the order of the header.
+
+use std::io::{self, Read};
+
+use crate::formats::ply::PlyShape;
+use crate::formats::ply::binary::Binary;
+use crate::formats::ply::columns::{Columns, skip};
+use crate::formats::ply::data::Data;
+use crate::formats::ply::header::{self, Element, Form, Header};
+use crate::formats::ply::interpret::{Rows, edge_layers, face_layers, vertex_layers};
+use crate::formats::ply::plain::Plain;
+use crate::formats::ply::rows::{EdgeRows, FaceRows, VertexRows};
+use crate::formats::ply::strips::{Stitches, StripRows};
+use crate::formats::ply::table::Table;
+use crate::input::assemble::Parts;
+use crate::read::{Parsed, Source};
+use crate::shell::Shape;
+use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
+
+/// The elements that are understood.
+pub(super) const KNOWN_ELEMENTS: [&str; 4] = ["vertex", "face", "tristrips", "edge"];
+
+pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
+    let mut parts = Parts::default();
+    let header = header::read(source, &mut parts, limits)?;
+    match header.form {
+        Form::Ascii => read_body(source, limits, &header, parts, Plain::new(source, header.end)),
+        _ => read_binary(source, &mut io::empty(), limits, &header, parts),
+    }
+}
+
+/// Binary values are read block by block, if all of the header is at hand.
+pub(super) fn read_blocks(
+    head: &Source<'_>,
+    rest: &mut dyn Read,
+    limits: &Limits,
+) -> Option<Result<Parsed, ReadError>> {
+    let mut parts = Parts::default();
+    let header = header::read(head, &mut parts, limits).ok()?;
+    let is_whole = header.end < head.bytes.len();
+    (is_whole && header.form != Form::Ascii).then(|| read_binary(head, rest, limits, &header, parts))
+}
+
+fn read_binary(
+    source: &Source<'_>,
+    rest: &mut dyn Read,
+    limits: &Limits,
+    header: &Header,
+    parts: Parts,
+) -> Result<Parsed, ReadError> {
+    let at = header.end;
+    match header.form {
+        Form::BigEndian => read_body(source, limits, header, parts, Binary::<true>::new(source, at, rest)),
+        _ => read_body(source, limits, header, parts, Binary::<false>::new(source, at, rest)),
+    }
+}
+
+fn read_body(
+    source: &Source<'_>,
+    limits: &Limits,
+    header: &Header,
+    parts: Parts,
+    mut data: impl Data,
+) -> Result<Parsed, ReadError> {
+    let mut reader = Reader {
+        source,
+        form: header.form,
+        limits,
+        parts,
+        vertices: None,
+        faces: None,
+        edges: None,
+        element: 0,
+        tables: Vec::new(),
+    };
+    for (at, element) in header.elements.iter().enumerate() {
+        reader.element = at;
+        data.begin_element(element)?;
+        reader.read_element(element, &mut data)?;
+        data.end_element(element)?;
+    }
+    let odd_rows = data.end_file()?;
+    let (surplus, at) = data.surplus();
+    let place = || place_of(source, header.form, at);
+    reader.parts.notes.add_many(
+        NoteKind::SurplusData,
+        "bytes after the data were skipped",
+        surplus as u64,
+        place,
+    );
+    if let Some((first, count)) = odd_rows {
+        let message = "rows that do not stand on a line each were read across lines";
+        let place = || place_of(source, header.form, first);
+        reader.parts.notes.add_many(NoteKind::WrappedRows, message, count, place);
+    }
+    reader.finish(header)
+}
+
+fn place_of(source: &Source<'_>, form: Form, at: usize) -> Place {
+    match form {
+        Form::Ascii => source.line(at),
+        _ => Place::Byte(at as u64),
+    }
+}
+
+struct Reader<'a> {
+    source: &'a Source<'a>,
+    form: Form,
+    limits: &'a Limits,
+    parts: Parts,
+    vertices: Option<Rows<'a>>,
+    faces: Option<Rows<'a>>,
+    edges: Option<Rows<'a>>,
+    /// The place in the header of the element that is read.
+    element: usize,
+    /// The rows of elements that are carried as they are, with their places in the header.
+    tables: Vec<(usize, Columns)>,
+}
+
+impl<'a> Reader<'a> {
+    fn read_element(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        match element.name.as_str() {
+            "vertex" => self.vertices(element, data),
+            "face" => self.faces(element, data),
+            "tristrips" => self.strips(element, data),
+            "edge" => self.edges(element, data),
+            name => {
+                let message = format!("element `{name}` is not understood: only a PLY output carries it");
+                self.table(&message, element, data)
+            }
+        }
+    }
+
+    /// Keeps the rows of an element that is carried as it is.
+    fn table(&mut self, message: &str, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        self.note_skipped(message, element.count, element);
+        self.tables.push((self.element, Columns::of_rows(element, data)?));
+        Ok(())
+    }
+
+    fn note_skipped(&mut self, message: &str, count: u64, element: &Element) {
+        let (source, at) = (self.source, element.at);
+        self.parts.notes.add_many(NoteKind::SkippedElement, message, count, || source.line(at));
+    }
+
+    fn vertices(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        self.source.limited("vertices", element.count, self.limits.max_vertices)?;
+        let axis = |name: &str| {
+            let is_axis = |property: &header::Property| property.name == name && property.length.is_none();
+            let missing = || self.missing(element, &format!("vertices without a number `{name}`"));
+            element.properties.iter().position(is_axis).ok_or_else(missing)
+        };
+        let axes = [axis("x")?, axis("y")?, axis("z")?];
+        let mut columns = Columns::new(element);
+        let sizes = element.properties.iter().map(|property| property.item.size());
+        let offsets: Vec<usize> =
+            sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size))).collect();
+        let others = (0..element.properties.len()).filter(|column| !axes.contains(column));
+        let of_axes = axes.map(|column| (element.properties[column].item, offsets[column]));
+        let positions = &mut self.parts.positions;
+        let is_read = data.fixed_rows(element, |rows| {
+            rows.extend_points(positions, of_axes);
+            for column in others.clone() {
+                rows.extend(&mut columns.values[column], offsets[column]);
+            }
+        })?;
+        if !is_read {
+            let mut reader = VertexRows { element, axes, columns: &mut columns, positions };
+            data.each_row(element, Table::of_vertices(element, axes), &mut reader)?;
+        }
+        let is_taken = (0..element.properties.len()).map(|column| axes.contains(&column)).collect();
+        self.vertices = Some(Rows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
+        Ok(())
+    }
+
+    fn faces(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        self.source.limited("faces", element.count, self.limits.max_faces)?;
+        let Some(list) = index_list(element) else {
+            if element.count == 0 {
+                return Ok(());
+            }
+            return Err(self.missing(element, "faces without a list `vertex_indices` or `vertex_index`"));
+        };
+        let mut columns = Columns::new(element);
+        if let Some(left) = data.left() {
+            // Room for triangles, as far as there can be so many.
+            let most = left / element.properties[list].item.size();
+            self.parts.faces.reserve(most.min(3 * element.count as usize));
+        }
+        let first = self.parts.faces.face_count();
+        // Only lists beside the indices can be corner layers, which need to know whose corners are whose.
+        let has_lists = element.properties.iter().filter(|property| property.length.is_some()).count() > 1;
+        let (source, limits, parts) = (self.source, self.limits, &mut self.parts);
+        let corner_starts = has_lists.then(Vec::new);
+        let mut reader =
+            FaceRows { source, limits, element, list, columns: &mut columns, parts, corner_starts };
+        data.each_row(element, Table::of_faces(element, list), &mut reader)?;
+        let mut corner_starts = reader.corner_starts.unwrap_or_default();
+        corner_starts.push(self.parts.faces.corner_count() as u32);
+        let is_taken = (0..element.properties.len()).map(|column| column == list).collect();
+        self.faces = Some(Rows { element, columns, is_taken, first, corner_starts });
+        Ok(())
+    }
+
+    fn strips(&mut self, element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
+        let Some(list) = index_list(element) else {
+            self.note_skipped("element `tristrips` has no indices and was skipped", element.count, element);
+            return skip(element, data);
+        };
+        let other = element.properties.len() as u64 - 1;
+        self.note_skipped("properties of triangle strips were skipped", other, element);
+        let (source, form, limits, parts) = (self.source, self.form, self.limits, &mut self.parts);
+        let stitches = Stitches::default();
+        let mut reader = StripRows { source, limits, element, list, parts, stitches };
+        data.each_row(element, None, &mut reader)?;
+        let Stitches { count, first } = reader.stitches;
+        let message = "triangles that lead a strip on, with a vertex twice, are no faces";
+        self.parts.notes.add_many(NoteKind::Stitches, message, count, || place_of(source, form, first));
+        Ok(())
+    }
+
+    fn edges(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
+        let end = |name: &str| element.properties.iter().position(|p| p.name == name && p.length.is_none());
+        let (Some(one), Some(other)) = (end("vertex1"), end("vertex2")) else {
+            let message = "element `edge` has no `vertex1` and `vertex2`: only a PLY output carries it";
+            return self.table(message, element, data);
+        };
+        let mut columns = Columns::new(element);
+        let mut reader =
+            EdgeRows { element, ends: [one, other], columns: &mut columns, parts: &mut self.parts };
+        data.each_row(element, None, &mut reader)?;
+        let is_taken = (0..element.properties.len()).map(|column| [one, other].contains(&column)).collect();
+        self.edges = Some(Rows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
+        Ok(())
+    }
+
+    fn missing(&self, element: &Element, reason: &str) -> ReadError {
+        self.source.malformed(self.source.line(element.at), reason)
+    }
+
+    fn finish(mut self, header: &Header) -> Result<Parsed, ReadError> {
+        if let Some(vertices) = self.vertices.take() {
+            vertex_layers(vertices, &mut self.parts);
+        }
+        if let Some(faces) = self.faces.take() {
+            face_layers(faces, &mut self.parts);
+        }
+        if let Some(edges) = self.edges.take() {
+            edge_layers(edges, &mut self.parts);
+        }
+        let tables = std::mem::take(&mut self.tables);
+        let (mesh, notes) =
+            self.parts.assemble(self.source, 0, |at| place_of(self.source, header.form, at))?;
+        let (variant, encoding) = match header.form {
+            Form::Ascii => ("ply-ascii", Encoding::Ascii),
+            Form::LittleEndian => ("ply-le", Encoding::LittleEndian),
+            Form::BigEndian => ("ply-be", Encoding::BigEndian),
+        };
+        let shell = Shell::of_file(encoding, Shape::Ply(PlyShape::new(header, tables, &mesh)));
+        Ok(Parsed { mesh, variant, notes, shell })
+    }
+}
+
+/// The list of vertex indices among an element's properties.
+fn index_list(element: &Element) -> Option<usize> {
+    let is_named = |p: &header::Property| p.name == "vertex_indices" || p.name == "vertex_index";
+    element.properties.iter().position(|property| is_named(property) && property.length.is_some())
+}

@@ -1,0 +1,155 @@
+//! The rows of vertices and faces, one by one or as tables of plain ones.
+
+use meshmend_core::{Id, VertexId};
+
+use crate::formats::ply::columns::Columns;
+use crate::formats::ply::data::{Data, RowReader};
+use crate::formats::ply::header::{Element, Property};
+use crate::formats::ply::table::Table;
+use crate::input::assemble::Parts;
+use crate::read::Source;
+use crate::{Limits, ReadError};
+
+/// Reads vertices.
+pub(super) struct VertexRows<'r> {
+    pub(super) element: &'r Element,
+    /// Which properties are the coordinates.
+    pub(super) axes: [usize; 3],
+    pub(super) columns: &'r mut Columns,
+    pub(super) positions: &'r mut Vec<[f64; 3]>,
+}
+
+impl RowReader for VertexRows<'_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        let mut point = [0.0; 3];
+        for (column, property) in self.element.properties.iter().enumerate() {
+            match self.axes.iter().position(|&axis| axis == column) {
+                Some(axis) => point[axis] = data.number(property.item)?,
+                None => self.columns.read(self.element, column, data)?,
+            }
+        }
+        self.positions.push(point);
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Table) -> bool {
+        self.positions.extend_from_slice(&rows.positions);
+        let others = (0..self.element.properties.len()).filter(|column| !self.axes.contains(column));
+        self.columns.append(others, &rows.others);
+        true
+    }
+}
+
+/// Reads faces.
+pub(super) struct FaceRows<'r, 'a> {
+    pub(super) source: &'r Source<'a>,
+    pub(super) limits: &'r Limits,
+    pub(super) element: &'r Element,
+    /// Which property is the list of indices.
+    pub(super) list: usize,
+    pub(super) columns: &'r mut Columns,
+    pub(super) parts: &'r mut Parts,
+    /// The first corner of each face, if it is to be known.
+    pub(super) corner_starts: Option<Vec<u32>>,
+}
+
+impl RowReader for FaceRows<'_, '_> {
+    #[inline]
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        if let Some(starts) = &mut self.corner_starts {
+            starts.push(self.parts.faces.corner_count() as u32);
+        }
+        let element = self.element;
+        for (column, property) in element.properties.iter().enumerate() {
+            if column == self.list {
+                self.face(property, data)?;
+            } else {
+                self.columns.read(element, column, data)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, rows: &Table) -> bool {
+        let corners = (self.parts.faces.corner_count() + rows.faces.corner_count()) as u64;
+        if corners > self.limits.max_corners {
+            return false;
+        }
+        self.parts.take_faces(&rows.faces, rows.highest);
+        let others = (0..self.element.properties.len()).filter(|&column| column != self.list);
+        self.columns.append(others, &rows.others);
+        true
+    }
+}
+
+/// Reads loose edges.
+pub(super) struct EdgeRows<'r> {
+    pub(super) element: &'r Element,
+    /// Which properties are the ends.
+    pub(super) ends: [usize; 2],
+    pub(super) columns: &'r mut Columns,
+    pub(super) parts: &'r mut Parts,
+}
+
+impl RowReader for EdgeRows<'_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        let mut ends = [VertexId(0); 2];
+        for (column, property) in self.element.properties.iter().enumerate() {
+            match self.ends.iter().position(|&end| end == column) {
+                Some(place) => ends[place] = self.end(property, data)?,
+                None => self.columns.read(self.element, column, data)?,
+            }
+        }
+        self.parts.loose_edges.push(ends);
+        Ok(())
+    }
+}
+
+impl EdgeRows<'_> {
+    fn end(&mut self, property: &Property, data: &mut impl Data) -> Result<VertexId, ReadError> {
+        let mut found = (0, 0);
+        data.indices(property.item, 1, |index, at| found = (index, at))?;
+        let (index, at) = found;
+        let index = u32::try_from(index);
+        let index = index.map_err(|_| data.wrong(at, &format!("{} is no index of a vertex", found.0)))?;
+        self.parts.highest.see(index, at);
+        Ok(VertexId::new(index as usize))
+    }
+}
+
+impl FaceRows<'_, '_> {
+    #[inline]
+    fn face(&mut self, property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
+        let length = property.length.unwrap_or(property.item);
+        let count = data.length(length, property.item)?;
+        let corners = self.parts.faces.corner_count() as u64 + count as u64;
+        self.source.limited("corners", corners, self.limits.max_corners)?;
+        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
+        let mut wrong = None;
+        data.indices(property.item, count, |index, at| match u32::try_from(index) {
+            Ok(index) => {
+                highest.see(index, at);
+                faces.push_corner(VertexId(index));
+            }
+            Err(_) => wrong = wrong.or(Some((index, at))),
+        })?;
+        faces.end_face();
+        match wrong {
+            None => Ok(()),
+            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
+        }
+    }
+}
+
+/// Reads the rows of an element that is carried as it is.
+pub(super) struct TableRows<'r> {
+    pub(super) element: &'r Element,
+    pub(super) columns: &'r mut Columns,
+}
+
+impl RowReader for TableRows<'_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        (0..self.element.properties.len())
+            .try_for_each(|column| self.columns.read(self.element, column, data))
+    }
+}

@@ -1,0 +1,163 @@
+//! What a PLY file's writer chose: which elements the header declares, with which properties, of which types, in which order.
+
+use meshmend_core::{Layer, PolygonMesh, counted};
+
+use crate::formats::ply::columns::Columns;
+use crate::formats::ply::header::{Element, Header};
+use crate::formats::ply::listed::{Listed, Named};
+use crate::formats::ply::scalar::Scalar;
+use crate::formats::ply::{CORNER_PREFIX, GROUPS};
+use crate::shell::Shape;
+use crate::{Loss, LossKind, Prepared};
+
+/// What a PLY file's writer chose.
+#[derive(Debug)]
+pub(crate) struct PlyShape {
+    pub(super) elements: Listed<Declared>,
+    /// The mesh as it was stored, if a table names its vertices or faces by number.
+    stored: Option<PolygonMesh>,
+}
+
+/// An element as a header declares it.
+#[derive(Debug, PartialEq)]
+pub(super) struct Declared {
+    pub(super) name: String,
+    pub(super) properties: Listed<DeclaredProperty>,
+    /// The rows, where nothing else is known of the element: it is carried as it is.
+    pub(super) table: Option<Rows>,
+}
+
+/// The rows of an element that is carried as it is: a layer a property, each of whose values is that of a row.
+#[derive(Debug, PartialEq)]
+pub(super) struct Rows {
+    pub(super) count: usize,
+    pub(super) columns: Vec<Layer>,
+}
+
+/// A property as a header declares it.
+#[derive(Debug, PartialEq)]
+pub(super) struct DeclaredProperty {
+    pub(super) name: String,
+    pub(super) length: Option<Scalar>,
+    pub(super) item: Scalar,
+}
+
+impl Named for Declared {
+    fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+impl Named for DeclaredProperty {
+    fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+impl PlyShape {
+    /// What a header declares, with the rows of those elements that are carried as they are: the places of these in the
+    /// header, ascending, and their columns.
+    pub(super) fn new(header: &Header, tables: Vec<(usize, Columns)>, mesh: &PolygonMesh) -> Self {
+        let mut tables = tables.into_iter().peekable();
+        let declared = |(at, element): (usize, &Element)| {
+            let columns = tables.next_if(|(table, _)| *table == at).map(|(_, columns)| columns);
+            Declared::of(element, columns)
+        };
+        let elements: Vec<Declared> = header.elements.iter().enumerate().map(declared).collect();
+        let stored = elements.iter().any(Declared::names_elements).then(|| mesh.clone());
+        PlyShape { elements: Listed::new(elements), stored }
+    }
+
+    /// The shape of the file that a mesh comes from, if that was a PLY.
+    pub(super) fn of(prepared: &Prepared) -> Option<&PlyShape> {
+        match prepared.shape() {
+            Some(Shape::Ply(shape)) => Some(shape),
+            _ => None,
+        }
+    }
+
+    /// The declaration of an element.
+    pub(super) fn element(&self, name: &str) -> Option<&Declared> {
+        self.elements.find(name).map(|(_, element)| element)
+    }
+
+    /// Whether a property of vertices or faces is declared that a layer is written as.
+    pub(super) fn declares(&self, layer: &Layer) -> bool {
+        let groups = GROUPS.iter().filter(|group| group.layer == layer.name());
+        let of_corners = format!("{CORNER_PREFIX}{}", layer.name());
+        let own = [layer.name(), of_corners.as_str()];
+        let mut names = groups.flat_map(|group| group.members).copied().chain(own);
+        let elements = ["vertex", "face"].map(|name| self.element(name));
+        names.any(|name| elements.iter().flatten().any(|element| element.property(name).is_some()))
+    }
+
+    /// The loss of the elements that are carried as they are, in any other format.
+    pub(crate) fn table_losses(&self) -> Vec<Loss> {
+        let tables =
+            self.elements.all().iter().filter_map(|element| Some((element, element.table.as_ref()?)));
+        let loss = |(element, rows): (&Declared, &Rows)| {
+            Loss::if_any(LossKind::Elements, rows.count, |count| {
+                format!("element `{}` of {}", element.name, counted(count, "row"))
+            })
+        };
+        tables.filter_map(loss).collect()
+    }
+
+    /// The tables that name vertices or faces by numbers which these no longer have.
+    pub(super) fn stale_losses(&self, written: &PolygonMesh) -> Vec<Loss> {
+        let Some(stored) = &self.stored else { return Vec::new() };
+        let bits = |mesh: &PolygonMesh| -> Vec<u64> {
+            mesh.positions().iter().flatten().map(|x| x.to_bits()).collect()
+        };
+        if stored.faces() == written.faces() && bits(stored) == bits(written) {
+            return Vec::new();
+        }
+        let stale = self.elements.all().iter().filter(|element| element.names_elements());
+        let loss = |element: &Declared| {
+            let count = element.table.as_ref().map_or(0, |rows| rows.count);
+            Loss::if_any(LossKind::StaleData, count, |count| {
+                let rows = counted(count, "row");
+                format!(
+                    "element `{}` of {rows} is carried as it was, but vertices or faces that it names have other numbers now",
+                    element.name
+                )
+            })
+        };
+        stale.filter_map(loss).collect()
+    }
+}
+
+impl Declared {
+    fn of(element: &Element, columns: Option<Columns>) -> Self {
+        let properties = element.properties.iter().map(|property| DeclaredProperty {
+            name: property.name.clone(),
+            length: property.length,
+            item: property.item,
+        });
+        let table = columns
+            .map(|columns| Rows { count: element.count as usize, columns: columns.into_layers(element) });
+        Declared { name: element.name.clone(), properties: Listed::new(properties.collect()), table }
+    }
+
+    /// Whether it is carried as it is and has whole numbers that by their name are those of vertices or faces.
+    fn names_elements(&self) -> bool {
+        let is_number = |property: &DeclaredProperty| {
+            let name = property.name.to_ascii_lowercase();
+            let is_named = name.starts_with("face") || name.starts_with("vertex") && name.contains("ind");
+            is_named && !property.item.has_fractions()
+        };
+        self.table.is_some() && self.properties.all().iter().any(is_number)
+    }
+
+    /// A property's declaration, with its place.
+    pub(super) fn property(&self, name: &str) -> Option<(usize, &DeclaredProperty)> {
+        self.properties.find(name)
+    }
+}
+
+/// The declarations alone: the mesh that is kept beside them is that of the same file.
+impl PartialEq for PlyShape {
+    fn eq(&self, other: &Self) -> bool {
+        self.elements == other.elements
+    }
+}

@@ -1,0 +1,91 @@
+//! Triangle strips: each vertex after the first two makes a triangle with the two before it, every second one reversed;
+//! −1 begins a new strip.
+//!
+//! A strip is led on to where another one begins through triangles that name a vertex twice. These *stitches* are part of
+//! the encoding and no faces; they count where every second triangle is reversed.
+
+use meshmend_core::VertexId;
+
+use crate::Limits;
+use crate::ReadError;
+use crate::formats::ply::columns::skip_property;
+use crate::formats::ply::data::{Data, RowReader};
+use crate::formats::ply::header::{Element, Property};
+use crate::input::assemble::Parts;
+use crate::read::Source;
+
+/// Reads strips.
+pub(super) struct StripRows<'r, 'a> {
+    pub(super) source: &'r Source<'a>,
+    pub(super) limits: &'r Limits,
+    pub(super) element: &'r Element,
+    /// Which property is the list of indices.
+    pub(super) list: usize,
+    pub(super) parts: &'r mut Parts,
+    pub(super) stitches: Stitches,
+}
+
+/// Triangles of strips that name a vertex twice.
+#[derive(Default)]
+pub(super) struct Stitches {
+    pub(super) count: u64,
+    /// Where the first one ends.
+    pub(super) first: usize,
+}
+
+impl RowReader for StripRows<'_, '_> {
+    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
+        for (column, property) in self.element.properties.iter().enumerate() {
+            if column == self.list {
+                self.strip(property, data)?;
+            } else {
+                skip_property(property, data)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl StripRows<'_, '_> {
+    fn strip(&mut self, property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
+        let length = property.length.unwrap_or(property.item);
+        let count = data.length(length, property.item)?;
+        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
+        let (mut before, mut seen, mut wrong) = ([VertexId(0); 2], 0_usize, None);
+        data.indices(property.item, count, |index, at| {
+            let Ok(index) = u32::try_from(index) else {
+                if index != -1 {
+                    wrong = wrong.or(Some((index, at)));
+                }
+                seen = 0;
+                return;
+            };
+            highest.see(index, at);
+            let ([a, b], c) = (before, VertexId(index));
+            if seen >= 2 {
+                if a == b || b == c || a == c {
+                    self.stitches.add(at);
+                } else {
+                    faces.push_face(if seen % 2 == 0 { [a, b, c] } else { [b, a, c] });
+                }
+            }
+            (before, seen) = ([b, c], seen + 1);
+        })?;
+        let (faces, corners) = (faces.face_count() as u64, faces.corner_count() as u64);
+        self.source.limited("faces", faces, self.limits.max_faces)?;
+        self.source.limited("corners", corners, self.limits.max_corners)?;
+        match wrong {
+            None => Ok(()),
+            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
+        }
+    }
+}
+
+impl Stitches {
+    fn add(&mut self, at: usize) {
+        if self.count == 0 {
+            self.first = at;
+        }
+        self.count += 1;
+    }
+}

@@ -1,0 +1,111 @@
+//! The reader of binary STL.
+
+use meshmend_core::{Carry, Domain, Layer, Metadata, Values, VertexId};
+
+use std::io::Read;
+
+use crate::binary::block_reader::Blocks;
+use crate::formats::stl::normals::Recomputed;
+use crate::formats::stl::{ATTRIBUTE, FACET, HEAD, HEADER, StlShape, colors};
+use crate::input::assemble::Parts;
+use crate::read::{Parsed, Source};
+use crate::shell::Shape;
+use crate::text::one_or_many;
+use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
+
+/// How long the file would be if its count were right; nothing when it is too short to have a count.
+pub(super) fn claimed_length(bytes: &[u8]) -> Option<u64> {
+    bytes.get(HEAD - 4..HEAD).map(|count| HEAD as u64 + FACET as u64 * u64::from(little_endian(count)))
+}
+
+fn little_endian(bytes: &[u8]) -> u32 {
+    bytes.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
+}
+
+pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) -> Result<Parsed, ReadError> {
+    let count = checked_count(source)?;
+    source.limited("faces", count as u64, limits.max_faces)?;
+    source.limited("vertices", 3 * count as u64, limits.max_vertices.min(limits.max_corners))?;
+    let mut facets = Blocks::new(source, HEAD, rest);
+    let (mut parts, mut attributes) = (Parts::default(), Attributes::default());
+    let mut recomputed = Recomputed::default();
+    parts.positions.reserve_exact(3 * count);
+    parts.faces.reserve(3 * count);
+    let mut read = 0;
+    while read < count {
+        let block = facets.take_rows(FACET, count - read).map_err(|error| source.failed(error))?;
+        for (facet, face) in block.chunks_exact(FACET).zip(read..) {
+            let first = 3 * face as u32;
+            let corners = [12, 24, 36].map(|at| point(&facet[at..at + 12]));
+            parts.positions.extend(corners);
+            recomputed.see(point(&facet[..12]), corners, HEAD + face * FACET);
+            parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
+            attributes.see(face, little_endian(&facet[FACET - 2..]) as u16);
+        }
+        read += block.len() / FACET;
+    }
+    let header = &source.bytes[..HEAD - 4];
+    if !attributes.0.is_empty() {
+        colors::note(header, &attributes.0, &mut parts.notes);
+    }
+    parts.layers.extend(attributes.layer(count));
+    recomputed.note(&mut parts.notes, |at| Place::Byte(at as u64));
+    let message = "bytes after the last facet were skipped";
+    let (surplus, end) = (facets.left() as u64, facets.at() as u64);
+    parts.notes.add_many(NoteKind::SurplusData, message, surplus, || Place::Byte(end));
+    let length = header.iter().rposition(|&b| b != 0).map_or(0, |last| last + 1);
+    if length > 0 {
+        parts.metadata.push(Metadata { key: HEADER.to_owned(), value: header[..length].to_vec() });
+    }
+    let (mesh, notes) = parts.assemble(source, 0, |at| Place::Byte(at as u64))?;
+    let shell = Shell::of_file(Encoding::LittleEndian, Shape::Stl(StlShape));
+    Ok(Parsed { mesh, variant: "stl-binary", notes, shell })
+}
+
+/// How many facets there are, if they fit the count.
+fn checked_count(source: &Source<'_>) -> Result<usize, ReadError> {
+    let end = Place::Byte(source.length as u64);
+    let Some(claimed) = claimed_length(source.bytes) else {
+        return Err(source.malformed(end, "shorter than the header of a binary file"));
+    };
+    let (count, room) = ((claimed as usize - HEAD) / FACET, (source.length - HEAD) / FACET);
+    if room < count {
+        let announced = one_or_many(count, "facet is", "facets are");
+        return Err(source.malformed(end, format!("{announced} announced, there is room for {room}")));
+    }
+    if room > count {
+        let place = Place::Byte(HEAD as u64 - 4);
+        let announced = one_or_many(count, "facet is", "facets are");
+        let there = one_or_many(room, "is", "are");
+        return Err(source.malformed(place, format!("{announced} announced, but {there} there")));
+    }
+    Ok(count)
+}
+
+/// The two bytes that end each facet, from the first facet on where they are not 0.
+#[derive(Default)]
+struct Attributes(Vec<u16>);
+
+impl Attributes {
+    #[inline]
+    fn see(&mut self, face: usize, value: u16) {
+        if value != 0 {
+            self.0.resize(face, 0);
+            self.0.push(value);
+        }
+    }
+
+    /// What all faces have, if any of them has something else than 0.
+    fn layer(mut self, faces: usize) -> Option<Layer> {
+        if self.0.is_empty() {
+            return None;
+        }
+        self.0.resize(faces, 0);
+        Some(Layer::direct(ATTRIBUTE, Domain::Face, 1, Carry::Copy, Values::U16(self.0)))
+    }
+}
+
+#[inline]
+fn point(bytes: &[u8]) -> [f64; 3] {
+    [0, 4, 8].map(|at| f64::from(f32::from_bits(little_endian(&bytes[at..at + 4]))))
+}

@@ -1,0 +1,3 @@
+//! What readers of all formats share.
+
+pub(crate) mod assemble;
