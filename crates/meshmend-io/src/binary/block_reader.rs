@@ -8,7 +8,7 @@ use crate::read::Source;
 const BLOCK: usize = 1 << 18;
 
 /// The bytes from a place of a source to its end.
-pub(crate) struct Blocks<'a> {
+pub(crate) struct BlockReader<'a> {
     from: Chain<&'a [u8], &'a mut dyn Read>,
     /// What has been read; the bytes before `next` are taken.
     block: Vec<u8>,
@@ -19,11 +19,11 @@ pub(crate) struct Blocks<'a> {
     length: usize,
 }
 
-impl<'a> Blocks<'a> {
+impl<'a> BlockReader<'a> {
     /// The bytes of a source from a place on, of which `rest` gives those that the source does not hold.
     pub(crate) fn new(source: &Source<'a>, at: usize, rest: &'a mut dyn Read) -> Self {
         let from = source.bytes[at..].chain(rest);
-        Blocks { from, block: Vec::new(), next: 0, start: at, length: source.length }
+        BlockReader { from, block: Vec::new(), next: 0, start: at, length: source.length }
     }
 
     /// Where in the source the next byte is.
@@ -110,7 +110,7 @@ mod tests {
             [(100, 1), (5000, 999), (all.len(), 70_001), (64, BLOCK + 1), (200, all.len() - 30)]
         {
             let mut rest = Slow { rest: &all[head..], calls: 0, failing: 0 };
-            let mut blocks = Blocks::new(&source(&all[..head], all.len()), 30, &mut rest);
+            let mut blocks = BlockReader::new(&source(&all[..head], all.len()), 30, &mut rest);
             let mut at = 30;
             while blocks.left() >= size {
                 assert_eq!((blocks.at(), blocks.left()), (at, all.len() - at));
@@ -127,7 +127,7 @@ mod tests {
     fn rows_come_in_blocks_and_none_beyond_the_last() {
         let all = bytes(2 * BLOCK);
         let mut rest = io::empty();
-        let mut blocks = Blocks::new(&source(&all, all.len()), 0, &mut rest);
+        let mut blocks = BlockReader::new(&source(&all, all.len()), 0, &mut rest);
         let mut rows = 0;
         while rows < 10_000 {
             let block = blocks.take_rows(50, 10_000 - rows).unwrap();
@@ -144,11 +144,11 @@ mod tests {
         let all = bytes(BLOCK);
         for failing in 1..=4 {
             let mut rest = Slow { rest: &all, calls: 0, failing };
-            let mut blocks = Blocks::new(&source(&all[..10], all.len() + 10), 0, &mut rest);
+            let mut blocks = BlockReader::new(&source(&all[..10], all.len() + 10), 0, &mut rest);
             assert_eq!(blocks.take(5000).unwrap_err().kind(), io::ErrorKind::Other);
         }
         let mut rest = &all[..];
-        let mut blocks = Blocks::new(&source(&[], 2 * BLOCK), 0, &mut rest);
+        let mut blocks = BlockReader::new(&source(&[], 2 * BLOCK), 0, &mut rest);
         let ends_early = (0..4).find_map(|_| blocks.take(BLOCK / 2).err());
         assert_eq!(ends_early.unwrap().kind(), io::ErrorKind::UnexpectedEof);
     }

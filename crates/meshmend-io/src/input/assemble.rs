@@ -16,18 +16,18 @@ pub(crate) struct Parts {
     pub(crate) loose_points: Vec<VertexId>,
     pub(crate) layers: Vec<Layer>,
     pub(crate) metadata: Vec<Metadata>,
-    pub(crate) highest: Highest,
+    pub(crate) highest: MaxIndex,
     pub(crate) notes: Notes,
 }
 
 /// The highest index that was read, and the first place where. Faces may come before the vertices that they
 /// name, so an index can be checked only when all is read; then the highest speaks for all.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Highest {
+pub(crate) struct MaxIndex {
     found: Option<(u32, usize)>,
 }
 
-impl Highest {
+impl MaxIndex {
     #[inline]
     pub(crate) fn see(&mut self, index: u32, at: usize) {
         if self.found.is_none_or(|(highest, _)| index > highest) {
@@ -36,7 +36,7 @@ impl Highest {
     }
 
     /// Sees what another one has seen at later places.
-    pub(crate) fn see_all(&mut self, later: Highest) {
+    pub(crate) fn see_all(&mut self, later: MaxIndex) {
         if let Some((index, at)) = later.found {
             self.see(index, at);
         }
@@ -65,7 +65,7 @@ impl Parts {
     }
 
     /// Takes faces that were parsed elsewhere and come after all that are here, with the highest index in them.
-    pub(crate) fn take_faces(&mut self, faces: &FaceTableBuilder, highest: Highest) {
+    pub(crate) fn take_faces(&mut self, faces: &FaceTableBuilder, highest: MaxIndex) {
         self.faces.append(faces);
         self.highest.see_all(highest);
     }
@@ -121,7 +121,7 @@ pub(crate) fn no_such_vertex(number: i64, count: usize) -> String {
 #[derive(Default)]
 pub(crate) struct Uses {
     uses: Vec<u32>,
-    highest: Highest,
+    highest: MaxIndex,
 }
 
 impl Uses {
@@ -160,18 +160,18 @@ impl Uses {
 
     /// Forgets all uses, and keeps the memory for others.
     pub(crate) fn clear(&mut self) {
-        self.return_to((0, Highest::default()));
+        self.return_to((0, MaxIndex::default()));
     }
 
     /// What to return to when what follows is to be forgotten.
     #[inline]
-    pub(crate) fn mark(&self) -> (usize, Highest) {
+    pub(crate) fn mark(&self) -> (usize, MaxIndex) {
         (self.uses.len(), self.highest)
     }
 
     /// Forgets what came after a mark.
     #[inline]
-    pub(crate) fn return_to(&mut self, (length, highest): (usize, Highest)) {
+    pub(crate) fn return_to(&mut self, (length, highest): (usize, MaxIndex)) {
         self.uses.truncate(length);
         self.highest = highest;
     }

@@ -3,8 +3,8 @@
 mod lines;
 mod messages;
 mod numbers;
-pub(crate) mod plain_line;
 pub(crate) mod speculative_parse;
+pub(crate) mod usual_line;
 
 pub(crate) use self::lines::{
     after_line_end, comment_text, is_blank, is_line_end, is_space, line_end, line_number, skip_space,

@@ -6,7 +6,7 @@
 //! reader                # c             g x         -2                    reads what is between, and takes the pieces
 //! ```
 //!
-//! A format says what is plain in it as [`Rows`]: a small parser that knows nothing of what came before and takes in
+//! A format says what is plain in it as [`UsualRows`]: a small parser that knows nothing of what came before and takes in
 //! only what everybody writes. Everything else, and every error, is the reader's, which would read the whole text
 //! alike without any of this. The reader goes from piece to piece in the order of the text and takes one only if it
 //! stands at its first byte and may have all of it; else it reads the same bytes itself. So it does not matter where
@@ -22,8 +22,8 @@ use rayon::prelude::*;
 use crate::ReadError;
 use crate::text;
 
-/// Rows of a text that are plain, as the format says; what they say does not depend on what stands before them.
-pub(crate) trait Rows: Send + Sync {
+/// Rows of a text in the usual layout of a format. What a row says does not depend on what stands before it.
+pub(crate) trait UsualRows: Send + Sync {
     /// No rows, but of the same kind.
     fn none(&self) -> Self;
 
@@ -41,7 +41,7 @@ pub(crate) trait Rows: Send + Sync {
 }
 
 /// Reads a text by itself, and may be given rows of it.
-pub(crate) trait Reader<R>: Send {
+pub(crate) trait SequentialReader<R>: Send {
     /// The byte that it comes to next.
     fn at(&self) -> usize;
 
@@ -84,11 +84,11 @@ impl Pace {
 /// Lets a reader read on until it is done or the text ends, parsing plain rows ahead of it.
 ///
 /// *Cost*: linear; memory for the rows of two waves.
-pub(crate) fn read_ahead<R: Rows>(
+pub(crate) fn read_speculatively<R: UsualRows>(
     text: &[u8],
     pace: Pace,
     rows: &R,
-    reader: &mut impl Reader<R>,
+    reader: &mut impl SequentialReader<R>,
 ) -> Result<(), ReadError> {
     if pace.chunks == 0 {
         return reader.read_to(text.len());
@@ -121,7 +121,7 @@ struct Chunk<R> {
     pieces: Vec<Piece<R>>,
 }
 
-/// Rows without anything between them.
+/// UsualRows without anything between them.
 struct Piece<R> {
     text: Range<usize>,
     rows: R,
@@ -133,7 +133,7 @@ impl<R> Default for Wave<R> {
     }
 }
 
-impl<R: Rows> Wave<R> {
+impl<R: UsualRows> Wave<R> {
     /// Parses the chunks from a byte on.
     fn parse(&mut self, text: &[u8], start: usize, pace: Pace, rows: &R) {
         self.chunks.resize_with(pace.chunks, || Chunk { text: 0..0, pieces: Vec::new() });
@@ -151,7 +151,7 @@ impl<R: Rows> Wave<R> {
     }
 
     /// Brings a reader to the end of the wave.
-    fn hand_over(&self, reader: &mut impl Reader<R>) -> Result<(), ReadError> {
+    fn hand_over(&self, reader: &mut impl SequentialReader<R>) -> Result<(), ReadError> {
         for piece in self.chunks.iter().flat_map(|chunk| &chunk.pieces) {
             reader.read_to(piece.text.start)?;
             if reader.at() == piece.text.start {
@@ -162,7 +162,7 @@ impl<R: Rows> Wave<R> {
     }
 }
 
-impl<R: Rows> Chunk<R> {
+impl<R: UsualRows> Chunk<R> {
     /// Collects what is plain, unless that is hardly anything: what is not takes more than its share of a reader's
     /// time, and pieces of a row or two take more than the rows.
     fn parse(&mut self, text: &[u8], rows: &R) {

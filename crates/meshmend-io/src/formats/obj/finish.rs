@@ -3,7 +3,7 @@
 use meshmend_core::{Carry, Domain, Layer, Values};
 
 use crate::formats::obj::ObjShape;
-use crate::formats::obj::names::KINDS;
+use crate::formats::obj::name_statements::KINDS;
 use crate::formats::obj::read::Reader;
 use crate::input::assemble::Uses;
 use crate::read::Parsed;

@@ -2,7 +2,7 @@
 
 use crate::text::{trimmed, trimmed_start, word};
 
-/// Statements that name an image, beside those that begin with `map_`.
+/// UsualStatements that name an image, beside those that begin with `map_`.
 const WITH_IMAGE: [&[u8]; 6] = [b"bump", b"disp", b"decal", b"refl", b"norm", b"map"];
 
 /// Options with as many values as they may have.

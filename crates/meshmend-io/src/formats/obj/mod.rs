@@ -16,14 +16,14 @@
 
 mod comments;
 pub(crate) mod companions;
-mod cursor;
 mod finish;
 mod library;
 mod loose;
-mod names;
+mod name_statements;
 mod pools;
 mod read;
-mod statements;
+mod statement_cursor;
+mod usual_statements;
 mod write;
 mod write_loose;
 mod write_names;

@@ -5,14 +5,14 @@ use std::borrow::Cow;
 use meshmend_core::{NO_VALUE, VertexId};
 
 use crate::formats::obj::comments::Anchors;
-use crate::formats::obj::cursor::{COLUMNS, Cursor};
 use crate::formats::obj::loose::LooseParts;
-use crate::formats::obj::names::{Elements, KINDS, Runs};
+use crate::formats::obj::name_statements::{Elements, KINDS, Runs};
 use crate::formats::obj::pools::{Colors, Pool};
-use crate::formats::obj::statements::Statements;
+use crate::formats::obj::statement_cursor::{COLUMNS, Cursor};
+use crate::formats::obj::usual_statements::UsualStatements;
 use crate::input::assemble::{Parts, Uses, no_such_vertex};
 use crate::read::{Parsed, Source};
-use crate::text::speculative_parse::{self as ahead, read_ahead};
+use crate::text::speculative_parse::{SequentialReader, read_speculatively};
 use crate::text::{self, is_blank, is_line_end};
 use crate::{Limits, NoteKind, ReadError};
 
@@ -42,7 +42,7 @@ fn is_values(line: &[u8]) -> bool {
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let mut reader = Reader::new(source, limits);
-    read_ahead(source.bytes, source.pace, &Statements::default(), &mut reader)?;
+    read_speculatively(source.bytes, source.pace, &UsualStatements::default(), &mut reader)?;
     reader.finish()
 }
 
@@ -302,7 +302,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-impl ahead::Reader<Statements> for Reader<'_> {
+impl SequentialReader<UsualStatements> for Reader<'_> {
     fn at(&self) -> usize {
         self.cursor.at
     }
@@ -320,7 +320,7 @@ impl ahead::Reader<Statements> for Reader<'_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Statements, end: usize) {
+    fn take(&mut self, rows: &UsualStatements, end: usize) {
         let (faces, corners) = (self.parts.faces.face_count(), self.parts.faces.corner_count());
         let is_within = self.limits.hold(
             self.parts.positions.len() + rows.positions.len(),

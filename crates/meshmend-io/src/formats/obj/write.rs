@@ -7,7 +7,7 @@ use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values, counted};
 use crate::formats::obj::ObjShape;
 use crate::formats::obj::comments::{Between, COMMENT, ELEMENTS, FACE, NORMAL, TEXCOORD, VERTEX, is_between};
 use crate::formats::obj::write_loose::LoosePlan;
-use crate::formats::obj::write_names::Names;
+use crate::formats::obj::write_names::NameWriter;
 use crate::output::layers::{
     absent, has_fractions, is_numeric, layer_losses, layer_of, losses_in, metadata_losses, number, one_line,
     spelling_loss,
@@ -15,7 +15,7 @@ use crate::output::layers::{
 use crate::output::sink::Sink;
 use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
-/// Statements about the whole file, with their keys.
+/// UsualStatements about the whole file, with their keys.
 const STATEMENTS: [(&str, &str); 2] = [(COMMENT, "#"), ("mtllib", "mtllib")];
 
 /// Colours and weights are written with the vertices.
@@ -57,7 +57,7 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
     pool(plan.texcoord, TEXCOORD, &mut between, &mut sink)?;
     plan.loose.further_texcoords(&mut sink)?;
     pool(plan.normal, NORMAL, &mut between, &mut sink)?;
-    let mut names = Names::of(mesh);
+    let mut names = NameWriter::of(mesh);
     plan.faces(mesh, &mut names, &mut between, &mut sink)?;
     plan.loose.write(mesh, &mut names, &mut between, &mut sink)?;
     between.at_end(&mut sink);
@@ -67,7 +67,7 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
 pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let mesh = &prepared.mesh;
     let plan = Plan::of(mesh, ObjShape::color_width(prepared));
-    let names = Names::of(mesh);
+    let names = NameWriter::of(mesh);
     let written: Vec<&Layer> = plan.layers().into_iter().chain(names.layers()).collect();
     let mut losses = layer_losses(mesh, &written);
     losses.extend(losses_in(mesh, &written, &[Domain::LooseEdge, Domain::LoosePoint]));
@@ -171,7 +171,7 @@ impl<'a> Plan<'a> {
     fn faces(
         &self,
         mesh: &PolygonMesh,
-        names: &mut Names<'_>,
+        names: &mut NameWriter<'_>,
         between: &mut Between<'_>,
         sink: &mut Sink<'_>,
     ) -> io::Result<()> {

@@ -7,7 +7,7 @@ use meshmend_core::{Domain, Layer, PolygonMesh, Values, VertexId};
 use crate::formats::obj::comments::{Between, LINE, POINT};
 use crate::formats::obj::loose::{END_TEXCOORD, POLYLINE};
 use crate::formats::obj::write::{attributes, values};
-use crate::formats::obj::write_names::Names;
+use crate::formats::obj::write_names::NameWriter;
 use crate::output::layers::{is_numeric, layer_of};
 use crate::output::sink::Sink;
 
@@ -72,7 +72,7 @@ impl<'a> LoosePlan<'a> {
     pub(super) fn write(
         &self,
         mesh: &PolygonMesh,
-        names: &mut Names<'_>,
+        names: &mut NameWriter<'_>,
         between: &mut Between<'_>,
         sink: &mut Sink<'_>,
     ) -> io::Result<()> {

@@ -4,13 +4,13 @@ use std::borrow::Cow;
 
 use meshmend_core::{Layer, PolygonMesh, Values};
 
-use crate::formats::obj::names::{KINDS, Kind, NAMED, spelled};
+use crate::formats::obj::name_statements::{KINDS, Kind, NAMED, spelled};
 use crate::output::layers::layer_of;
 use crate::output::sink::Sink;
 use crate::{Loss, LossKind};
 
 /// The names of all kinds, and which of them hold at present.
-pub(super) struct Names<'a> {
+pub(super) struct NameWriter<'a> {
     kinds: [NamesOfKind<'a>; KINDS.len()],
 }
 
@@ -29,7 +29,7 @@ struct NamedBy<'a> {
     pool: &'a [Vec<u8>],
 }
 
-impl<'a> Names<'a> {
+impl<'a> NameWriter<'a> {
     pub(super) fn of(mesh: &'a PolygonMesh) -> Self {
         let kinds = KINDS.each_ref().map(|kind| {
             let layers = NAMED.map(|domain| {
@@ -40,7 +40,7 @@ impl<'a> Names<'a> {
             let first = pools.next();
             NamesOfKind { layers, is_shared: pools.all(|pool| Some(pool) == first), current: None }
         });
-        Names { kinds }
+        NameWriter { kinds }
     }
 
     /// The layers that are written.

@@ -20,13 +20,13 @@
 //! lines in any way, if the file then comes out even; only colours of faces are bound to lines. All of this is noted.
 //! Files of four or n dimensions, or binary, are errors; lines after the last face are skipped and noted.
 
-mod beside;
-mod blocks;
+mod across_lines;
 mod colors;
-mod free;
 mod header;
-mod lines;
 mod read;
+mod sections;
+mod usual_lines;
+mod vertex_attributes;
 mod write;
 
 use crate::Encoding;

@@ -3,9 +3,9 @@
 use meshmend_core::{Domain, VertexId};
 
 use crate::formats::off::OffShape;
-use crate::formats::off::blocks::{read_faces, read_vertices};
+use crate::formats::off::across_lines;
 use crate::formats::off::colors::Colors;
-use crate::formats::off::free;
+use crate::formats::off::sections::{read_faces, read_vertices};
 use crate::input::assemble::Parts;
 use crate::read::{Parsed, Source};
 use crate::shell::Shape;
@@ -19,7 +19,7 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
         Ok(reader) => reader.is_even,
         Err(error) => !matches!(error.kind, ReadErrorKind::Malformed(_)),
     };
-    let across_lines = if is_sure { None } else { free::read(source, limits) };
+    let across_lines = if is_sure { None } else { across_lines::read(source, limits) };
     across_lines.map_or(by_lines, Ok)?.finish()
 }
 

@@ -5,7 +5,7 @@ use meshmend_core::{Carry, Domain, Layer, Values};
 use crate::ReadError;
 use crate::formats::ply::data::{Data, RowReader};
 use crate::formats::ply::header::{Element, Property};
-use crate::formats::ply::rows::TableRows;
+use crate::formats::ply::rows::CarriedRowReader;
 
 /// The values of the columns of an element, apart from the one that is read in another way.
 pub(super) struct Columns {
@@ -82,7 +82,7 @@ impl Columns {
             columns.values.iter_mut().zip(&offsets).for_each(|(values, &at)| rows.extend(values, at));
         })?;
         if !is_read {
-            data.each_row(element, None, &mut TableRows { element, columns: &mut columns })?;
+            data.each_row(element, None, &mut CarriedRowReader { element, columns: &mut columns })?;
         }
         Ok(columns)
     }
@@ -102,13 +102,13 @@ pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadEr
     if element.properties.is_empty() || data.fixed_rows(element, |_| ())? {
         return Ok(());
     }
-    data.each_row(element, None, &mut SkippedRows(element))
+    data.each_row(element, None, &mut RowSkipper(element))
 }
 
 /// Passes over rows.
-struct SkippedRows<'r>(&'r Element);
+struct RowSkipper<'r>(&'r Element);
 
-impl RowReader for SkippedRows<'_> {
+impl RowReader for RowSkipper<'_> {
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
         self.0.properties.iter().try_for_each(|property| skip_property(property, data))
     }

@@ -5,7 +5,7 @@ use meshmend_core::Values;
 use crate::ReadError;
 use crate::formats::ply::header::Element;
 use crate::formats::ply::scalar::Scalar;
-use crate::formats::ply::table::Table;
+use crate::formats::ply::usual_rows::ParsedRows;
 
 /// Values one after the other, each of a type that the header tells.
 pub(super) trait Data {
@@ -43,7 +43,7 @@ pub(super) trait Data {
     fn each_row(
         &mut self,
         element: &Element,
-        _plain: Option<Table>,
+        _plain: Option<ParsedRows>,
         reader: &mut impl RowReader,
     ) -> Result<(), ReadError>
     where
@@ -93,7 +93,7 @@ pub(super) trait RowReader: Send {
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError>;
 
     /// Takes the next rows, unless they are beyond a limit or never plain.
-    fn take(&mut self, _: &Table) -> bool {
+    fn take(&mut self, _: &ParsedRows) -> bool {
         false
     }
 }

@@ -13,7 +13,7 @@ use crate::input::assemble::Parts;
 const TEXCOORD: &str = "texcoord";
 
 /// The rows of an element that became vertices or faces.
-pub(super) struct Rows<'a> {
+pub(super) struct ElementRows<'a> {
     pub(super) element: &'a Element,
     pub(super) columns: Columns,
     /// Which columns are no layers, or in one already.
@@ -24,16 +24,16 @@ pub(super) struct Rows<'a> {
     pub(super) corner_starts: Vec<u32>,
 }
 
-pub(super) fn vertex_layers(rows: Rows<'_>, parts: &mut Parts) {
+pub(super) fn vertex_layers(rows: ElementRows<'_>, parts: &mut Parts) {
     direct_layers(rows, Domain::Vertex, parts);
 }
 
-pub(super) fn edge_layers(rows: Rows<'_>, parts: &mut Parts) {
+pub(super) fn edge_layers(rows: ElementRows<'_>, parts: &mut Parts) {
     direct_layers(rows, Domain::LooseEdge, parts);
 }
 
 /// Layers in which each row has its own value.
-fn direct_layers(mut rows: Rows<'_>, domain: Domain, parts: &mut Parts) {
+fn direct_layers(mut rows: ElementRows<'_>, domain: Domain, parts: &mut Parts) {
     for column in 0..rows.element.properties.len() {
         if let Some((name, width, values)) = rows.next_layer(column, domain, parts) {
             let carry = if domain == Domain::Vertex { carry(&values) } else { Carry::Copy };
@@ -42,7 +42,7 @@ fn direct_layers(mut rows: Rows<'_>, domain: Domain, parts: &mut Parts) {
     }
 }
 
-pub(super) fn face_layers(mut rows: Rows<'_>, parts: &mut Parts) {
+pub(super) fn face_layers(mut rows: ElementRows<'_>, parts: &mut Parts) {
     for column in 0..rows.element.properties.len() {
         if let Some(layer) = rows.corner_layer(column, parts) {
             parts.layers.push(layer);
@@ -69,7 +69,7 @@ fn carry(values: &Values) -> Carry {
     }
 }
 
-impl Rows<'_> {
+impl ElementRows<'_> {
     /// The layer that begins with a column: name, width and values; nothing when it is in a layer already.
     fn next_layer(
         &mut self,

@@ -23,16 +23,15 @@
 //! corners differ, normals, and texture coordinates of polygons are written with the vertices, which are split for that; and
 //! those of other formats in the types that are expected in a PLY.
 
-mod binary;
+mod binary_values;
 mod columns;
 mod data;
 mod expected;
 mod header;
 mod interpret;
 mod layers;
-mod lines;
+mod line_check;
 mod listed;
-mod plain;
 mod plan;
 mod prepare;
 mod property;
@@ -41,8 +40,9 @@ mod rows;
 mod scalar;
 mod shape;
 mod strips;
-mod table;
+mod text_values;
 mod types;
+mod usual_rows;
 mod write;
 
 pub(crate) use self::shape::PlyShape;

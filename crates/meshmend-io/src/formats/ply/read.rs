@@ -3,15 +3,15 @@
 use std::io::{self, Read};
 
 use crate::formats::ply::PlyShape;
-use crate::formats::ply::binary::Binary;
+use crate::formats::ply::binary_values::BinaryValues;
 use crate::formats::ply::columns::{Columns, skip};
 use crate::formats::ply::data::Data;
 use crate::formats::ply::header::{self, Element, Form, Header};
-use crate::formats::ply::interpret::{Rows, edge_layers, face_layers, vertex_layers};
-use crate::formats::ply::plain::Plain;
-use crate::formats::ply::rows::{EdgeRows, FaceRows, VertexRows};
-use crate::formats::ply::strips::{Stitches, StripRows};
-use crate::formats::ply::table::Table;
+use crate::formats::ply::interpret::{ElementRows, edge_layers, face_layers, vertex_layers};
+use crate::formats::ply::rows::{EdgeRowReader, FaceRowReader, VertexRowReader};
+use crate::formats::ply::strips::{Stitches, StripReader};
+use crate::formats::ply::text_values::TextValues;
+use crate::formats::ply::usual_rows::ParsedRows;
 use crate::input::assemble::Parts;
 use crate::read::{Parsed, Source};
 use crate::shell::Shape;
@@ -24,7 +24,7 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
     let mut parts = Parts::default();
     let header = header::read(source, &mut parts, limits)?;
     match header.form {
-        Form::Ascii => read_body(source, limits, &header, parts, Plain::new(source, header.end)),
+        Form::Ascii => read_body(source, limits, &header, parts, TextValues::new(source, header.end)),
         _ => read_binary(source, &mut io::empty(), limits, &header, parts),
     }
 }
@@ -50,8 +50,10 @@ fn read_binary(
 ) -> Result<Parsed, ReadError> {
     let at = header.end;
     match header.form {
-        Form::BigEndian => read_body(source, limits, header, parts, Binary::<true>::new(source, at, rest)),
-        _ => read_body(source, limits, header, parts, Binary::<false>::new(source, at, rest)),
+        Form::BigEndian => {
+            read_body(source, limits, header, parts, BinaryValues::<true>::new(source, at, rest))
+        }
+        _ => read_body(source, limits, header, parts, BinaryValues::<false>::new(source, at, rest)),
     }
 }
 
@@ -108,9 +110,9 @@ struct Reader<'a> {
     form: Form,
     limits: &'a Limits,
     parts: Parts,
-    vertices: Option<Rows<'a>>,
-    faces: Option<Rows<'a>>,
-    edges: Option<Rows<'a>>,
+    vertices: Option<ElementRows<'a>>,
+    faces: Option<ElementRows<'a>>,
+    edges: Option<ElementRows<'a>>,
     /// The place in the header of the element that is read.
     element: usize,
     /// The rows of elements that are carried as they are, with their places in the header.
@@ -165,11 +167,11 @@ impl<'a> Reader<'a> {
             }
         })?;
         if !is_read {
-            let mut reader = VertexRows { element, axes, columns: &mut columns, positions };
-            data.each_row(element, Table::of_vertices(element, axes), &mut reader)?;
+            let mut reader = VertexRowReader { element, axes, columns: &mut columns, positions };
+            data.each_row(element, ParsedRows::of_vertices(element, axes), &mut reader)?;
         }
         let is_taken = (0..element.properties.len()).map(|column| axes.contains(&column)).collect();
-        self.vertices = Some(Rows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
+        self.vertices = Some(ElementRows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
         Ok(())
     }
 
@@ -193,12 +195,12 @@ impl<'a> Reader<'a> {
         let (source, limits, parts) = (self.source, self.limits, &mut self.parts);
         let corner_starts = has_lists.then(Vec::new);
         let mut reader =
-            FaceRows { source, limits, element, list, columns: &mut columns, parts, corner_starts };
-        data.each_row(element, Table::of_faces(element, list), &mut reader)?;
+            FaceRowReader { source, limits, element, list, columns: &mut columns, parts, corner_starts };
+        data.each_row(element, ParsedRows::of_faces(element, list), &mut reader)?;
         let mut corner_starts = reader.corner_starts.unwrap_or_default();
         corner_starts.push(self.parts.faces.corner_count() as u32);
         let is_taken = (0..element.properties.len()).map(|column| column == list).collect();
-        self.faces = Some(Rows { element, columns, is_taken, first, corner_starts });
+        self.faces = Some(ElementRows { element, columns, is_taken, first, corner_starts });
         Ok(())
     }
 
@@ -211,7 +213,7 @@ impl<'a> Reader<'a> {
         self.note_skipped("properties of triangle strips were skipped", other, element);
         let (source, form, limits, parts) = (self.source, self.form, self.limits, &mut self.parts);
         let stitches = Stitches::default();
-        let mut reader = StripRows { source, limits, element, list, parts, stitches };
+        let mut reader = StripReader { source, limits, element, list, parts, stitches };
         data.each_row(element, None, &mut reader)?;
         let Stitches { count, first } = reader.stitches;
         let message = "triangles that lead a strip on, with a vertex twice, are no faces";
@@ -227,10 +229,10 @@ impl<'a> Reader<'a> {
         };
         let mut columns = Columns::new(element);
         let mut reader =
-            EdgeRows { element, ends: [one, other], columns: &mut columns, parts: &mut self.parts };
+            EdgeRowReader { element, ends: [one, other], columns: &mut columns, parts: &mut self.parts };
         data.each_row(element, None, &mut reader)?;
         let is_taken = (0..element.properties.len()).map(|column| [one, other].contains(&column)).collect();
-        self.edges = Some(Rows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
+        self.edges = Some(ElementRows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
         Ok(())
     }
 

@@ -5,13 +5,13 @@ use meshmend_core::{Id, VertexId};
 use crate::formats::ply::columns::Columns;
 use crate::formats::ply::data::{Data, RowReader};
 use crate::formats::ply::header::{Element, Property};
-use crate::formats::ply::table::Table;
+use crate::formats::ply::usual_rows::ParsedRows;
 use crate::input::assemble::Parts;
 use crate::read::Source;
 use crate::{Limits, ReadError};
 
 /// Reads vertices.
-pub(super) struct VertexRows<'r> {
+pub(super) struct VertexRowReader<'r> {
     pub(super) element: &'r Element,
     /// Which properties are the coordinates.
     pub(super) axes: [usize; 3],
@@ -19,7 +19,7 @@ pub(super) struct VertexRows<'r> {
     pub(super) positions: &'r mut Vec<[f64; 3]>,
 }
 
-impl RowReader for VertexRows<'_> {
+impl RowReader for VertexRowReader<'_> {
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
         let mut point = [0.0; 3];
         for (column, property) in self.element.properties.iter().enumerate() {
@@ -32,7 +32,7 @@ impl RowReader for VertexRows<'_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Table) -> bool {
+    fn take(&mut self, rows: &ParsedRows) -> bool {
         self.positions.extend_from_slice(&rows.positions);
         let others = (0..self.element.properties.len()).filter(|column| !self.axes.contains(column));
         self.columns.append(others, &rows.others);
@@ -41,7 +41,7 @@ impl RowReader for VertexRows<'_> {
 }
 
 /// Reads faces.
-pub(super) struct FaceRows<'r, 'a> {
+pub(super) struct FaceRowReader<'r, 'a> {
     pub(super) source: &'r Source<'a>,
     pub(super) limits: &'r Limits,
     pub(super) element: &'r Element,
@@ -53,7 +53,7 @@ pub(super) struct FaceRows<'r, 'a> {
     pub(super) corner_starts: Option<Vec<u32>>,
 }
 
-impl RowReader for FaceRows<'_, '_> {
+impl RowReader for FaceRowReader<'_, '_> {
     #[inline]
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
         if let Some(starts) = &mut self.corner_starts {
@@ -70,7 +70,7 @@ impl RowReader for FaceRows<'_, '_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Table) -> bool {
+    fn take(&mut self, rows: &ParsedRows) -> bool {
         let corners = (self.parts.faces.corner_count() + rows.faces.corner_count()) as u64;
         if corners > self.limits.max_corners {
             return false;
@@ -83,7 +83,7 @@ impl RowReader for FaceRows<'_, '_> {
 }
 
 /// Reads loose edges.
-pub(super) struct EdgeRows<'r> {
+pub(super) struct EdgeRowReader<'r> {
     pub(super) element: &'r Element,
     /// Which properties are the ends.
     pub(super) ends: [usize; 2],
@@ -91,7 +91,7 @@ pub(super) struct EdgeRows<'r> {
     pub(super) parts: &'r mut Parts,
 }
 
-impl RowReader for EdgeRows<'_> {
+impl RowReader for EdgeRowReader<'_> {
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
         let mut ends = [VertexId(0); 2];
         for (column, property) in self.element.properties.iter().enumerate() {
@@ -105,7 +105,7 @@ impl RowReader for EdgeRows<'_> {
     }
 }
 
-impl EdgeRows<'_> {
+impl EdgeRowReader<'_> {
     fn end(&mut self, property: &Property, data: &mut impl Data) -> Result<VertexId, ReadError> {
         let mut found = (0, 0);
         data.indices(property.item, 1, |index, at| found = (index, at))?;
@@ -117,7 +117,7 @@ impl EdgeRows<'_> {
     }
 }
 
-impl FaceRows<'_, '_> {
+impl FaceRowReader<'_, '_> {
     #[inline]
     fn face(&mut self, property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
         let length = property.length.unwrap_or(property.item);
@@ -142,12 +142,12 @@ impl FaceRows<'_, '_> {
 }
 
 /// Reads the rows of an element that is carried as it is.
-pub(super) struct TableRows<'r> {
+pub(super) struct CarriedRowReader<'r> {
     pub(super) element: &'r Element,
     pub(super) columns: &'r mut Columns,
 }
 
-impl RowReader for TableRows<'_> {
+impl RowReader for CarriedRowReader<'_> {
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
         (0..self.element.properties.len())
             .try_for_each(|column| self.columns.read(self.element, column, data))

@@ -24,12 +24,12 @@ pub(super) struct Declared {
     pub(super) name: String,
     pub(super) properties: Listed<DeclaredProperty>,
     /// The rows, where nothing else is known of the element: it is carried as it is.
-    pub(super) table: Option<Rows>,
+    pub(super) table: Option<CarriedRows>,
 }
 
 /// The rows of an element that is carried as it is: a layer a property, each of whose values is that of a row.
 #[derive(Debug, PartialEq)]
-pub(super) struct Rows {
+pub(super) struct CarriedRows {
     pub(super) count: usize,
     pub(super) columns: Vec<Layer>,
 }
@@ -95,7 +95,7 @@ impl PlyShape {
     pub(crate) fn table_losses(&self) -> Vec<Loss> {
         let tables =
             self.elements.all().iter().filter_map(|element| Some((element, element.table.as_ref()?)));
-        let loss = |(element, rows): (&Declared, &Rows)| {
+        let loss = |(element, rows): (&Declared, &CarriedRows)| {
             Loss::if_any(LossKind::Elements, rows.count, |count| {
                 format!("element `{}` of {}", element.name, counted(count, "row"))
             })
@@ -134,8 +134,10 @@ impl Declared {
             length: property.length,
             item: property.item,
         });
-        let table = columns
-            .map(|columns| Rows { count: element.count as usize, columns: columns.into_layers(element) });
+        let table = columns.map(|columns| CarriedRows {
+            count: element.count as usize,
+            columns: columns.into_layers(element),
+        });
         Declared { name: element.name.clone(), properties: Listed::new(properties.collect()), table }
     }
 

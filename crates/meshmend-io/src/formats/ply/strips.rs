@@ -15,7 +15,7 @@ use crate::input::assemble::Parts;
 use crate::read::Source;
 
 /// Reads strips.
-pub(super) struct StripRows<'r, 'a> {
+pub(super) struct StripReader<'r, 'a> {
     pub(super) source: &'r Source<'a>,
     pub(super) limits: &'r Limits,
     pub(super) element: &'r Element,
@@ -33,7 +33,7 @@ pub(super) struct Stitches {
     pub(super) first: usize,
 }
 
-impl RowReader for StripRows<'_, '_> {
+impl RowReader for StripReader<'_, '_> {
     fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
         for (column, property) in self.element.properties.iter().enumerate() {
             if column == self.list {
@@ -46,7 +46,7 @@ impl RowReader for StripRows<'_, '_> {
     }
 }
 
-impl StripRows<'_, '_> {
+impl StripReader<'_, '_> {
     fn strip(&mut self, property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
         let length = property.length.unwrap_or(property.item);
         let count = data.length(length, property.item)?;

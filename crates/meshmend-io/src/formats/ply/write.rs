@@ -13,7 +13,7 @@ use crate::{Encoding, Prepared, WriteErrorKind};
 
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
     let plan = Plan::of(prepared);
-    let mut rows = Rows { sink: Sink::new(out), encoding: prepared.encoding, row_has_values: false };
+    let mut rows = RowWriter { sink: Sink::new(out), encoding: prepared.encoding, row_has_values: false };
     header(&prepared.mesh, &plan, prepared.encoding, &mut rows.sink)?;
     for element in &plan.elements {
         rows.element(&prepared.mesh, element)?;
@@ -51,13 +51,13 @@ fn header(mesh: &PolygonMesh, plan: &Plan<'_>, encoding: Encoding, sink: &mut Si
 }
 
 /// Writes values in one encoding.
-struct Rows<'a> {
+struct RowWriter<'a> {
     sink: Sink<'a>,
     encoding: Encoding,
     row_has_values: bool,
 }
 
-impl Rows<'_> {
+impl RowWriter<'_> {
     fn element(&mut self, mesh: &PolygonMesh, element: &Element<'_>) -> io::Result<()> {
         match element.properties[..] {
             [] => return Ok(()),

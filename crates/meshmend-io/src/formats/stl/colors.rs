@@ -81,7 +81,7 @@ pub(super) fn note(header: &[u8], attributes: &[u16], notes: &mut Notes) {
 /// A mesh in which attribute bytes of facets, as a binary STL file has them, have become colours. A mesh without such
 /// attributes comes back as it is.
 ///
-/// A header with `COLOR=` says that they follow Materialise Magics; else they are taken for those of VisCAM. Facets
+/// A header with `COLOR=` says that they follow Materialise Magics; else they are taken for those of VisCAM. UsualFacets
 /// without a colour of their own have that of the header, or none.
 ///
 /// # Errors

@@ -17,13 +17,13 @@
 //! written. The name of a single solid is metadata `solid`; different ones of several solids are the face layer `object`.
 //! Names may hold any words (`names.rs`). A missing `endsolid` after a whole facet is noted.
 
-mod binary;
 pub(crate) mod colors;
-mod facets;
-mod names;
 mod normals;
-mod plain;
+mod read_binary;
+mod read_text;
+mod solid_names;
 mod triangles;
+mod usual_facets;
 mod write;
 
 use std::io::{self, Read};
@@ -60,21 +60,23 @@ const HEADER: &str = "stl-header";
 const SOLID: &str = "solid";
 
 fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
-    let claimed = binary::claimed_length(source.bytes);
+    let claimed = read_binary::claimed_length(source.bytes);
     let length = source.bytes.len() as u64;
     let is_text = begins_with_solid(source.bytes) && !is_surely_binary(source.bytes, length);
     if !is_text {
         return match claimed {
-            Some(_) => binary::read(source, &mut io::empty(), limits),
+            Some(_) => read_binary::read(source, &mut io::empty(), limits),
             None if source.bytes.is_empty() => Err(source.malformed(Place::Byte(0), "the file is empty")),
             None => Err(source.malformed(Place::Byte(length), "neither text nor as long as a binary header")),
         };
     }
-    match (plain::read(source, limits), claimed) {
+    match (read_text::read(source, limits), claimed) {
         (Ok(parsed), _) => Ok(parsed),
         (Err(error), _) if matches!(error.kind, ReadErrorKind::LimitExceeded { .. }) => Err(error),
-        (Err(_), Some(claimed)) if claimed <= length => binary::read(source, &mut io::empty(), limits),
-        (Err(_), Some(_)) if has_binary_count(source.bytes) => binary::read(source, &mut io::empty(), limits),
+        (Err(_), Some(claimed)) if claimed <= length => read_binary::read(source, &mut io::empty(), limits),
+        (Err(_), Some(_)) if has_binary_count(source.bytes) => {
+            read_binary::read(source, &mut io::empty(), limits)
+        }
         (Err(error), _) => Err(error),
     }
 }
@@ -82,14 +84,14 @@ fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
 /// What can't be text is read block by block.
 fn read_blocks(head: &Source<'_>, rest: &mut dyn Read, limits: &Limits) -> Option<Result<Parsed, ReadError>> {
     let is_binary = !begins_with_solid(head.bytes) || is_surely_binary(head.bytes, head.length as u64);
-    is_binary.then(|| binary::read(head, rest, limits))
+    is_binary.then(|| read_binary::read(head, rest, limits))
 }
 
 /// Text that begins with `solid` and a facet, or binary of exactly the length that it claims.
 fn sniff(bytes: &[u8], length: u64) -> bool {
     const START: usize = 1 << 12;
-    let is_exact = binary::claimed_length(bytes) == Some(length) && bytes.len() > HEAD;
-    is_exact || begins_with_solid(bytes) && names::holds_facet(&bytes[..bytes.len().min(START)])
+    let is_exact = read_binary::claimed_length(bytes) == Some(length) && bytes.len() > HEAD;
+    is_exact || begins_with_solid(bytes) && solid_names::holds_facet(&bytes[..bytes.len().min(START)])
 }
 
 /// Rounds positions where they are stored in single precision, so that all else is about what will be read again, and cuts
@@ -113,7 +115,7 @@ fn begins_with_solid(bytes: &[u8]) -> bool {
 
 /// Whether the file, of which the start is at hand, has the length that its count says, and the count is none of text.
 fn is_surely_binary(bytes: &[u8], length: u64) -> bool {
-    binary::claimed_length(bytes) == Some(length) && has_binary_count(bytes)
+    read_binary::claimed_length(bytes) == Some(length) && has_binary_count(bytes)
 }
 
 /// Whether the place of the count holds bytes that no text has.

@@ -28,7 +28,7 @@ pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind
     }
     let lowest = lowest_in_place(mesh.positions());
     let mut cutter = FaceCutter::new(&mesh, &lowest);
-    let mut room = BesideMesh { mesh: &mesh, encoding: prepared.encoding, taken: None, created: 0 };
+    let mut room = RoomBesideMesh { mesh: &mesh, encoding: prepared.encoding, taken: None, created: 0 };
     let mut simplifier = Simplifier { mesh: &mesh, lowest: &lowest, splitter: None, found: Found::default() };
     for face in mesh.faces().faces() {
         if is_polygon(face) {
@@ -135,7 +135,7 @@ impl Found {
 }
 
 /// Room beside the vertices of a mesh.
-struct BesideMesh<'a> {
+struct RoomBesideMesh<'a> {
     mesh: &'a PolygonMesh,
     encoding: Encoding,
     /// The positions of all vertices, from the first new one on.
@@ -143,7 +143,7 @@ struct BesideMesh<'a> {
     created: usize,
 }
 
-impl BesideMesh<'_> {
+impl RoomBesideMesh<'_> {
     /// The first point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way at which there is no vertex.
     fn first_free(&mut self, ends: [Point; 2]) -> Option<OnDiagonal> {
         let positions = self.mesh.positions();
@@ -154,7 +154,7 @@ impl BesideMesh<'_> {
     }
 }
 
-impl Room for BesideMesh<'_> {
+impl Room for RoomBesideMesh<'_> {
     fn is_between(&mut self, ends: [Point; 2]) -> bool {
         self.first_free(ends).is_some()
     }

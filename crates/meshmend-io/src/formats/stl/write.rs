@@ -6,7 +6,7 @@ use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId, co
 use meshmend_geometry::places::each_shared_place;
 
 use crate::formats::stl::normals::unit_normal;
-use crate::formats::stl::{ATTRIBUTE, HEAD, HEADER, SOLID, names};
+use crate::formats::stl::{ATTRIBUTE, HEAD, HEADER, SOLID, solid_names};
 use crate::output::layers::{absent, absent_loss, layer_losses, layer_of, loose_losses, metadata_losses};
 use crate::output::sink::Sink;
 use crate::text::{one_or_many, trimmed};
@@ -103,7 +103,7 @@ fn solid_name(name: &[u8]) -> Vec<u8> {
     let safe = |b: &u8| if matches!(b, b'\n' | b'\r' | 0) { b' ' } else { *b };
     let line: Vec<u8> = name.iter().map(safe).collect();
     let mut spelled = trimmed(&line).to_vec();
-    if names::holds_facet(&spelled) {
+    if solid_names::holds_facet(&spelled) {
         for at in 0..=spelled.len() - FACET.len() {
             if spelled[at..at + FACET.len()].eq_ignore_ascii_case(FACET) {
                 spelled[at] = b'_';

@@ -405,7 +405,7 @@ fn ply_is_read_as_by_its_reader_alone() {
 #[derive(Default)]
 struct Crosses(usize);
 
-impl Rows for Crosses {
+impl UsualRows for Crosses {
     fn none(&self) -> Self {
         Crosses(0)
     }
@@ -430,7 +430,7 @@ struct Counting<'a> {
     read: Vec<&'a [u8]>,
 }
 
-impl Reader<Crosses> for Counting<'_> {
+impl SequentialReader<Crosses> for Counting<'_> {
     fn at(&self) -> usize {
         self.at
     }
@@ -459,7 +459,7 @@ impl Reader<Crosses> for Counting<'_> {
 
 fn counted(text: &[u8], chunk: usize, chunks: usize) -> (usize, Vec<&[u8]>) {
     let mut reader = Counting { text, ..Counting::default() };
-    read_ahead(text, Pace { chunk, chunks }, &Crosses(0), &mut reader).unwrap();
+    read_speculatively(text, Pace { chunk, chunks }, &Crosses(0), &mut reader).unwrap();
     assert_eq!(reader.at, text.len());
     (reader.given, reader.read)
 }

@@ -4,18 +4,18 @@ use meshmend_core::{FaceTableBuilder, VertexId};
 
 use crate::formats::ply::header::{Element, Property};
 use crate::formats::ply::scalar::Scalar;
-use crate::input::assemble::Highest;
-use crate::text::plain_line::Line;
-use crate::text::speculative_parse::Rows;
+use crate::input::assemble::MaxIndex;
+use crate::text::speculative_parse::UsualRows;
+use crate::text::usual_line::UsualLine;
 
 /// Rows of an element.
-pub(super) struct Table {
+pub(super) struct ParsedRows {
     kind: Kind,
     cells: Vec<Cell>,
     pub(super) rows: usize,
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) faces: FaceTableBuilder,
-    pub(super) highest: Highest,
+    pub(super) highest: MaxIndex,
     /// The numbers that are no coordinates, row by row; doubles hold each type's values exactly.
     pub(super) others: Vec<f64>,
 }
@@ -38,7 +38,7 @@ enum Cell {
     Other(Scalar),
 }
 
-impl Table {
+impl ParsedRows {
     /// No vertices with these properties as coordinates; nothing if there are lists.
     pub(super) fn of_vertices(element: &Element, axes: [usize; 3]) -> Option<Self> {
         let cell = |(column, property): (usize, &Property)| {
@@ -50,7 +50,7 @@ impl Table {
                 .then(|| axis.map_or(Cell::Other(item), |axis| Cell::Coordinate(axis, item)))
         };
         let cells = element.properties.iter().enumerate().map(cell).collect::<Option<_>>()?;
-        Some(Table::of(Kind::Vertex, cells))
+        Some(ParsedRows::of(Kind::Vertex, cells))
     }
 
     /// No faces with this property as indices; nothing if there are other lists.
@@ -60,17 +60,17 @@ impl Table {
             Some(length) => (column == list).then_some(Cell::Indices(length, property.item)),
         };
         let cells = element.properties.iter().enumerate().map(cell).collect::<Option<_>>()?;
-        Some(Table::of(Kind::Face, cells))
+        Some(ParsedRows::of(Kind::Face, cells))
     }
 
     fn of(kind: Kind, cells: Vec<Cell>) -> Self {
         let (positions, others) = (Vec::new(), Vec::new());
-        let (faces, highest) = (FaceTableBuilder::default(), Highest::default());
-        Table { kind, cells, rows: 0, positions, faces, highest, others }
+        let (faces, highest) = (FaceTableBuilder::default(), MaxIndex::default());
+        ParsedRows { kind, cells, rows: 0, positions, faces, highest, others }
     }
 
     #[inline]
-    fn row(&mut self, mut line: Line<'_>, point: &mut [f64; 3]) -> Option<usize> {
+    fn row(&mut self, mut line: UsualLine<'_>, point: &mut [f64; 3]) -> Option<usize> {
         for &cell in &self.cells {
             match cell {
                 Cell::Coordinate(axis, scalar) => point[axis] = number(&mut line, scalar)?,
@@ -88,23 +88,23 @@ impl Table {
     }
 }
 
-impl Rows for Table {
+impl UsualRows for ParsedRows {
     fn none(&self) -> Self {
-        Table::of(self.kind, self.cells.clone())
+        ParsedRows::of(self.kind, self.cells.clone())
     }
 
     fn clear(&mut self) {
         self.rows = 0;
         self.positions.clear();
         self.faces.clear();
-        self.highest = Highest::default();
+        self.highest = MaxIndex::default();
         self.others.clear();
     }
 
     #[inline]
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
         let (others, highest, mut point) = (self.others.len(), self.highest, [0.0; 3]);
-        let end = self.row(Line::from(text, at), &mut point);
+        let end = self.row(UsualLine::from(text, at), &mut point);
         if end.is_none() {
             self.others.truncate(others);
             self.highest = highest;
@@ -121,7 +121,7 @@ impl Rows for Table {
 }
 
 #[inline]
-fn number(line: &mut Line<'_>, scalar: Scalar) -> Option<f64> {
+fn number(line: &mut UsualLine<'_>, scalar: Scalar) -> Option<f64> {
     match scalar {
         Scalar::F32 => line.real::<f32>().map(f64::from),
         Scalar::F64 => line.real::<f64>(),
@@ -131,6 +131,6 @@ fn number(line: &mut Line<'_>, scalar: Scalar) -> Option<f64> {
 
 /// A whole number within the range of its type.
 #[inline]
-fn whole(line: &mut Line<'_>, scalar: Scalar) -> Option<u32> {
+fn whole(line: &mut UsualLine<'_>, scalar: Scalar) -> Option<u32> {
     line.whole().filter(|&value| i64::from(value) <= scalar.range().1)
 }

@@ -13,7 +13,7 @@ use crate::text::{self, is_blank, is_line_end, one_or_many};
 use crate::{ReadError, ReadErrorKind};
 
 /// What is known of the rows so far.
-pub(super) struct Lines<'a> {
+pub(super) struct LineCheck<'a> {
     source: &'a Source<'a>,
     first: Option<OddRow>,
     odd_rows: u64,
@@ -33,9 +33,9 @@ pub(super) struct OddRow {
     is_short: bool,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> LineCheck<'a> {
     pub(super) fn new(source: &'a Source<'a>) -> Self {
-        Lines { source, first: None, odd_rows: 0, element_start: 0, is_within_line: false }
+        LineCheck { source, first: None, odd_rows: 0, element_start: 0, is_within_line: false }
     }
 
     /// The first row that does not stand on a line of its own, and how many such rows there are.

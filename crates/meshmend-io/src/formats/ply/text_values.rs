@@ -1,4 +1,4 @@
-//! Values as text: words between blanks, wherever the lines end ([`Lines`] judges those). Rows with a line each are parsed
+//! Values as text: words between blanks, wherever the lines end ([`LineCheck`] judges those). Rows with a line each are parsed
 //! ahead.
 
 use meshmend_core::Values;
@@ -6,22 +6,22 @@ use meshmend_core::Values;
 use crate::ReadError;
 use crate::formats::ply::data::{Data, FixedRows, RowReader};
 use crate::formats::ply::header::Element;
-use crate::formats::ply::lines::Lines;
+use crate::formats::ply::line_check::LineCheck;
 use crate::formats::ply::scalar::Scalar;
-use crate::formats::ply::table::Table;
+use crate::formats::ply::usual_rows::ParsedRows;
 use crate::read::Source;
-use crate::text::speculative_parse::{self as ahead, Reader, read_ahead};
+use crate::text::speculative_parse::{SequentialReader, read_speculatively};
 use crate::text::{self, is_space, one_or_many};
 
-pub(super) struct Plain<'a> {
+pub(super) struct TextValues<'a> {
     source: &'a Source<'a>,
     at: usize,
-    lines: Lines<'a>,
+    lines: LineCheck<'a>,
 }
 
-impl<'a> Plain<'a> {
+impl<'a> TextValues<'a> {
     pub(super) fn new(source: &'a Source<'a>, at: usize) -> Self {
-        Plain { source, at, lines: Lines::new(source) }
+        TextValues { source, at, lines: LineCheck::new(source) }
     }
 
     /// The bytes from the next word on.
@@ -109,7 +109,7 @@ impl<'a> Plain<'a> {
     }
 }
 
-impl Data for Plain<'_> {
+impl Data for TextValues<'_> {
     fn at(&self) -> usize {
         self.at
     }
@@ -178,13 +178,13 @@ impl Data for Plain<'_> {
     fn each_row(
         &mut self,
         element: &Element,
-        plain: Option<Table>,
+        plain: Option<ParsedRows>,
         reader: &mut impl RowReader,
     ) -> Result<(), ReadError> {
         let source = self.source;
         let mut rows = RowsLeft { next: self.at, data: self, reader, element, left: element.count };
         match plain {
-            Some(table) => read_ahead(source.bytes, source.pace, &table, &mut rows),
+            Some(table) => read_speculatively(source.bytes, source.pace, &table, &mut rows),
             None => rows.read_to(source.bytes.len()),
         }
     }
@@ -216,7 +216,7 @@ struct RowsLeft<'r, 'a, R> {
     /// Where the next one begins, or may begin. The values themselves stay at the end of the last one, from which errors
     /// count.
     next: usize,
-    data: &'r mut Plain<'a>,
+    data: &'r mut TextValues<'a>,
     reader: &'r mut R,
     element: &'r Element,
     left: u64,
@@ -239,7 +239,7 @@ impl<R: RowReader> RowsLeft<'_, '_, R> {
     }
 }
 
-impl<R: RowReader> ahead::Reader<Table> for RowsLeft<'_, '_, R> {
+impl<R: RowReader> SequentialReader<ParsedRows> for RowsLeft<'_, '_, R> {
     fn at(&self) -> usize {
         self.next
     }
@@ -256,7 +256,7 @@ impl<R: RowReader> ahead::Reader<Table> for RowsLeft<'_, '_, R> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Table, end: usize) {
+    fn take(&mut self, rows: &ParsedRows, end: usize) {
         if rows.rows as u64 <= self.left && self.reader.take(rows) {
             self.left -= rows.rows as u64;
             let spaces = self.data.source.bytes[..end].iter().rev().take_while(|&&b| is_space(b)).count();

@@ -4,7 +4,7 @@ use std::io::{self, Read};
 
 use meshmend_core::{Values, counted};
 
-use crate::binary::block_reader::Blocks;
+use crate::binary::block_reader::BlockReader;
 use crate::formats::ply::data::{Data, FixedRows};
 use crate::formats::ply::header::Element;
 use crate::formats::ply::scalar::Scalar;
@@ -13,15 +13,15 @@ use crate::text::one_or_many;
 use crate::{Place, ReadError};
 
 /// Binary values of either byte order.
-pub(super) struct Binary<'a, const BIG: bool> {
+pub(super) struct BinaryValues<'a, const BIG: bool> {
     source: &'a Source<'a>,
-    blocks: Blocks<'a>,
+    blocks: BlockReader<'a>,
 }
 
-impl<'a, const BIG: bool> Binary<'a, BIG> {
+impl<'a, const BIG: bool> BinaryValues<'a, BIG> {
     /// The values from a place on, of which `rest` gives the bytes that the source does not hold.
     pub(super) fn new(source: &'a Source<'a>, at: usize, rest: &'a mut dyn Read) -> Self {
-        Binary { source, blocks: Blocks::new(source, at, rest) }
+        BinaryValues { source, blocks: BlockReader::new(source, at, rest) }
     }
 
     #[inline]
@@ -44,7 +44,7 @@ fn cut(source: &Source<'_>, at: usize, what: &str) -> ReadError {
     source.malformed(Place::Byte(at as u64), reason)
 }
 
-impl<const BIG: bool> Data for Binary<'_, BIG> {
+impl<const BIG: bool> Data for BinaryValues<'_, BIG> {
     fn at(&self) -> usize {
         self.blocks.at()
     }

@@ -1,30 +1,30 @@
-//! Statements as almost all programs write them: `v` with three coordinates and maybe a colour, `vt`, `vn`, and `f`
+//! UsualStatements as almost all programs write them: `v` with three coordinates and maybe a colour, `vt`, `vn`, and `f`
 //! whose corners all name the same things, by positive indices.
 
 use meshmend_core::{FaceTableBuilder, VertexId};
 
 use crate::formats::obj::pools::{Colors, Pool};
-use crate::input::assemble::{Highest, Uses};
-use crate::text::plain_line::Line;
-use crate::text::speculative_parse::Rows;
+use crate::input::assemble::{MaxIndex, Uses};
+use crate::text::speculative_parse::UsualRows;
+use crate::text::usual_line::UsualLine;
 
 /// What plain statements say.
 #[derive(Default)]
-pub(super) struct Statements {
+pub(super) struct UsualStatements {
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) colors: Colors,
     pub(super) texcoords: Pool,
     pub(super) normals: Pool,
     pub(super) faces: FaceTableBuilder,
-    pub(super) highest: Highest,
+    pub(super) highest: MaxIndex,
     /// Of all corners, or of none.
     pub(super) texcoord_uses: Uses,
     pub(super) normal_uses: Uses,
 }
 
-impl Rows for Statements {
+impl UsualRows for UsualStatements {
     fn none(&self) -> Self {
-        Statements::default()
+        UsualStatements::default()
     }
 
     fn clear(&mut self) {
@@ -33,14 +33,14 @@ impl Rows for Statements {
         self.texcoords.clear();
         self.normals.clear();
         self.faces.clear();
-        self.highest = Highest::default();
+        self.highest = MaxIndex::default();
         self.texcoord_uses.clear();
         self.normal_uses.clear();
     }
 
     #[inline]
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
-        let mut line = Line::from(text, at);
+        let mut line = UsualLine::from(text, at);
         if line.accept(b"v") {
             self.vertex(line)
         } else if line.accept(b"f") {
@@ -58,9 +58,9 @@ impl Rows for Statements {
     }
 }
 
-impl Statements {
+impl UsualStatements {
     #[inline]
-    fn vertex(&mut self, mut line: Line<'_>) -> Option<usize> {
+    fn vertex(&mut self, mut line: UsualLine<'_>) -> Option<usize> {
         let point = line.point()?;
         if line.has_more() {
             let [r, g, b] = line.point()?;
@@ -74,7 +74,7 @@ impl Statements {
     }
 
     /// One to three numbers, as many as the others have.
-    fn texcoord(&mut self, mut line: Line<'_>) -> Option<usize> {
+    fn texcoord(&mut self, mut line: UsualLine<'_>) -> Option<usize> {
         let (mut numbers, mut count) = ([0.0; 3], 0);
         while line.has_more() {
             *numbers.get_mut(count)? = line.real()?;
@@ -87,7 +87,7 @@ impl Statements {
     }
 
     #[inline]
-    fn face(&mut self, line: Line<'_>) -> Option<usize> {
+    fn face(&mut self, line: UsualLine<'_>) -> Option<usize> {
         let before = (self.highest, self.texcoord_uses.mark(), self.normal_uses.mark());
         let end = self.corners(line).filter(|_| self.corners_are_alike());
         if end.is_some() {
@@ -109,7 +109,7 @@ impl Statements {
     }
 
     #[inline]
-    fn corners(&mut self, mut line: Line<'_>) -> Option<usize> {
+    fn corners(&mut self, mut line: UsualLine<'_>) -> Option<usize> {
         while line.has_more() {
             let start = line.at;
             let vertex = line.digits()?.checked_sub(1)?;
@@ -127,7 +127,7 @@ impl Statements {
 
     /// What follows a corner's vertex: `t`, `t/n` or `/n`.
     #[inline]
-    fn attributes(&mut self, line: &mut Line<'_>, start: usize) -> Option<()> {
+    fn attributes(&mut self, line: &mut UsualLine<'_>, start: usize) -> Option<()> {
         let mut has_normal = line.accept_byte(b'/');
         if !has_normal {
             self.texcoord_uses.push(line.digits()?.checked_sub(1)?, start);

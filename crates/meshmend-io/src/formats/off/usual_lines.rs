@@ -2,19 +2,19 @@
 
 use meshmend_core::{FaceTableBuilder, VertexId};
 
-use crate::input::assemble::Highest;
-use crate::text::plain_line::Line;
-use crate::text::speculative_parse::Rows;
+use crate::input::assemble::MaxIndex;
+use crate::text::speculative_parse::UsualRows;
+use crate::text::usual_line::UsualLine;
 
 /// Vertices without anything beside their coordinates.
 #[derive(Default)]
-pub(super) struct Points {
+pub(super) struct UsualVertices {
     pub(super) positions: Vec<[f64; 3]>,
 }
 
-impl Rows for Points {
+impl UsualRows for UsualVertices {
     fn none(&self) -> Self {
-        Points::default()
+        UsualVertices::default()
     }
 
     fn clear(&mut self) {
@@ -23,7 +23,7 @@ impl Rows for Points {
 
     #[inline]
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
-        let mut line = Line::from(text, at);
+        let mut line = UsualLine::from(text, at);
         let point = line.point()?;
         let end = line.end()?;
         self.positions.push(point);
@@ -33,25 +33,25 @@ impl Rows for Points {
 
 /// Faces without a colour.
 #[derive(Default)]
-pub(super) struct Polygons {
+pub(super) struct UsualFaces {
     pub(super) faces: FaceTableBuilder,
-    pub(super) highest: Highest,
+    pub(super) highest: MaxIndex,
 }
 
-impl Rows for Polygons {
+impl UsualRows for UsualFaces {
     fn none(&self) -> Self {
-        Polygons::default()
+        UsualFaces::default()
     }
 
     fn clear(&mut self) {
         self.faces.clear();
-        self.highest = Highest::default();
+        self.highest = MaxIndex::default();
     }
 
     #[inline]
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
         let before = self.highest;
-        let end = self.corners(Line::from(text, at));
+        let end = self.corners(UsualLine::from(text, at));
         if end.is_some() {
             self.faces.end_face();
         } else {
@@ -62,9 +62,9 @@ impl Rows for Polygons {
     }
 }
 
-impl Polygons {
+impl UsualFaces {
     #[inline]
-    fn corners(&mut self, mut line: Line<'_>) -> Option<usize> {
+    fn corners(&mut self, mut line: UsualLine<'_>) -> Option<usize> {
         for _ in 0..line.whole()? {
             let (vertex, at) = line.placed_whole()?;
             self.highest.see(vertex, at);

@@ -5,16 +5,16 @@
 use crate::text::{self, Real, is_blank, is_line_end, is_space};
 
 /// Goes through the words of a line.
-pub(crate) struct Line<'a> {
+pub(crate) struct UsualLine<'a> {
     text: &'a [u8],
     pub(crate) at: usize,
 }
 
-impl<'a> Line<'a> {
+impl<'a> UsualLine<'a> {
     /// The first line with a word at or after a byte.
     #[inline]
     pub(crate) fn from(text: &'a [u8], at: usize) -> Self {
-        Line { text, at: text::skip_space(text, at, text.len()) }
+        UsualLine { text, at: text::skip_space(text, at, text.len()) }
     }
 
     /// Passes over a word if it begins here.

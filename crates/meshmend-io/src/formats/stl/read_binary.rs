@@ -4,7 +4,7 @@ use meshmend_core::{Carry, Domain, Layer, Metadata, Values, VertexId};
 
 use std::io::Read;
 
-use crate::binary::block_reader::Blocks;
+use crate::binary::block_reader::BlockReader;
 use crate::formats::stl::normals::Recomputed;
 use crate::formats::stl::{ATTRIBUTE, FACET, HEAD, HEADER, StlShape, colors};
 use crate::input::assemble::Parts;
@@ -26,7 +26,7 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
     let count = checked_count(source)?;
     source.limited("faces", count as u64, limits.max_faces)?;
     source.limited("vertices", 3 * count as u64, limits.max_vertices.min(limits.max_corners))?;
-    let mut facets = Blocks::new(source, HEAD, rest);
+    let mut facets = BlockReader::new(source, HEAD, rest);
     let (mut parts, mut attributes) = (Parts::default(), Attributes::default());
     let mut recomputed = Recomputed::default();
     parts.positions.reserve_exact(3 * count);

@@ -1,15 +1,15 @@
-//! The two blocks of an OFF file: its vertices, and its faces. Lines without anything beside coordinates or indices are
+//! The two sections of an OFF file: its vertices, and its faces. Lines without anything beside coordinates or indices are
 //! parsed ahead.
 
 use meshmend_core::counted;
 
 use crate::ReadError;
-use crate::formats::off::beside::Beside;
 use crate::formats::off::header::Columns;
-use crate::formats::off::lines::{Points, Polygons};
 use crate::formats::off::read::Reader;
+use crate::formats::off::usual_lines::{UsualFaces, UsualVertices};
+use crate::formats::off::vertex_attributes::VertexAttributes;
 use crate::text;
-use crate::text::speculative_parse::{self as ahead, Pace, read_ahead};
+use crate::text::speculative_parse::{Pace, SequentialReader, read_speculatively};
 
 pub(super) fn read_vertices(
     reader: &mut Reader<'_>,
@@ -20,28 +20,28 @@ pub(super) fn read_vertices(
     // Three numbers are a vertex only where it has nothing beside them.
     let pace = if columns == Columns::default() { reader.source.pace } else { Pace::NONE };
     let text = reader.bytes;
-    let mut block = Vertices { reader, count, columns, beside: Beside::default() };
-    read_ahead(text, pace, &Points::default(), &mut block)?;
-    let Vertices { reader, beside, .. } = block;
-    beside.finish(columns, reader);
+    let mut section = VertexSection { reader, count, columns, attributes: VertexAttributes::default() };
+    read_speculatively(text, pace, &UsualVertices::default(), &mut section)?;
+    let VertexSection { reader, attributes, .. } = section;
+    attributes.finish(columns, reader);
     Ok(())
 }
 
 pub(super) fn read_faces(reader: &mut Reader<'_>, count: usize) -> Result<(), ReadError> {
     let (text, pace) = (reader.bytes, reader.source.pace);
-    read_ahead(text, pace, &Polygons::default(), &mut Faces { reader, count })
+    read_speculatively(text, pace, &UsualFaces::default(), &mut FaceSection { reader, count })
 }
 
-struct Vertices<'r, 'a> {
+struct VertexSection<'r, 'a> {
     reader: &'r mut Reader<'a>,
     count: usize,
     columns: Columns,
-    beside: Beside<'a>,
+    attributes: VertexAttributes<'a>,
 }
 
-impl Vertices<'_, '_> {
+impl VertexSection<'_, '_> {
     fn vertex(&mut self) -> Result<(), ReadError> {
-        let (reader, columns, beside) = (&mut *self.reader, self.columns, &mut self.beside);
+        let (reader, columns, attributes) = (&mut *self.reader, self.columns, &mut self.attributes);
         reader.next_line("a vertex")?;
         let vertex = reader.parts.positions.len();
         let point = [reader.number()?, reader.number()?, reader.number()?];
@@ -49,21 +49,21 @@ impl Vertices<'_, '_> {
         reader.skip_blanks();
         let start = reader.at;
         if columns.normal {
-            beside.normals.extend([reader.number()?, reader.number()?, reader.number()?]);
+            attributes.normals.extend([reader.number()?, reader.number()?, reader.number()?]);
         }
         if columns.color {
             let color = reader.color(columns.texcoord);
-            beside.add_color(reader, columns, vertex, start, color);
+            attributes.add_color(reader, columns, vertex, start, color);
         }
         if columns.texcoord {
-            beside.texcoords.extend([reader.number()?, reader.number()?]);
+            attributes.texcoords.extend([reader.number()?, reader.number()?]);
         }
         reader.note_surplus_columns();
         Ok(())
     }
 }
 
-impl ahead::Reader<Points> for Vertices<'_, '_> {
+impl SequentialReader<UsualVertices> for VertexSection<'_, '_> {
     fn at(&self) -> usize {
         self.reader.at
     }
@@ -75,7 +75,7 @@ impl ahead::Reader<Points> for Vertices<'_, '_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Points, end: usize) {
+    fn take(&mut self, rows: &UsualVertices, end: usize) {
         let positions = &mut self.reader.parts.positions;
         if positions.len() + rows.positions.len() <= self.count {
             positions.extend_from_slice(&rows.positions);
@@ -88,12 +88,12 @@ impl ahead::Reader<Points> for Vertices<'_, '_> {
     }
 }
 
-struct Faces<'r, 'a> {
+struct FaceSection<'r, 'a> {
     reader: &'r mut Reader<'a>,
     count: usize,
 }
 
-impl Faces<'_, '_> {
+impl FaceSection<'_, '_> {
     fn face(&mut self) -> Result<(), ReadError> {
         let reader = &mut *self.reader;
         reader.next_line("a face")?;
@@ -119,7 +119,7 @@ impl Faces<'_, '_> {
     }
 }
 
-impl ahead::Reader<Polygons> for Faces<'_, '_> {
+impl SequentialReader<UsualFaces> for FaceSection<'_, '_> {
     fn at(&self) -> usize {
         self.reader.at
     }
@@ -131,7 +131,7 @@ impl ahead::Reader<Polygons> for Faces<'_, '_> {
         Ok(())
     }
 
-    fn take(&mut self, rows: &Polygons, end: usize) {
+    fn take(&mut self, rows: &UsualFaces, end: usize) {
         let faces = &self.reader.parts.faces;
         let corners = (faces.corner_count() + rows.faces.corner_count()) as u64;
         let is_within = faces.face_count() + rows.faces.face_count() <= self.count

@@ -1,20 +1,20 @@
-//! Facets as almost all programs write them: seven lines, words in small letters, three vertices.
+//! UsualFacets as almost all programs write them: seven lines, words in small letters, three vertices.
 
 use crate::formats::stl::normals::{Recomputed, roughly};
 use crate::text;
-use crate::text::plain_line::Line;
-use crate::text::speculative_parse::Rows;
+use crate::text::speculative_parse::UsualRows;
+use crate::text::usual_line::UsualLine;
 
 /// The corners of facets, three each.
 #[derive(Default)]
-pub(super) struct Facets {
+pub(super) struct UsualFacets {
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) recomputed: Recomputed,
 }
 
-impl Rows for Facets {
+impl UsualRows for UsualFacets {
     fn none(&self) -> Self {
-        Facets::default()
+        UsualFacets::default()
     }
 
     fn clear(&mut self) {
@@ -58,7 +58,7 @@ struct Facet {
 /// The facet that begins at a byte, after blanks or empty lines.
 #[inline]
 fn facet(text: &[u8], at: usize) -> Option<Facet> {
-    let mut line = Line::from(text, at);
+    let mut line = UsualLine::from(text, at);
     let start = line.at;
     line.pass(b"facet")?;
     line.pass(b"normal")?;
@@ -68,18 +68,18 @@ fn facet(text: &[u8], at: usize) -> Option<Facet> {
         let is_other = |word: &&[u8]| word.first().is_some_and(|b| !b.eq_ignore_ascii_case(&b'o'));
         *number = roughly(line.pass_any().filter(is_other)?);
     }
-    line = Line::from(text, line.end()?);
+    line = UsualLine::from(text, line.end()?);
     line.pass(b"outer")?;
     line.pass(b"loop")?;
     let mut corners = [[0.0; 3]; 3];
     for corner in &mut corners {
-        line = Line::from(text, line.end()?);
+        line = UsualLine::from(text, line.end()?);
         line.pass(b"vertex")?;
         *corner = line.point()?;
     }
-    line = Line::from(text, line.end()?);
+    line = UsualLine::from(text, line.end()?);
     line.pass(b"endloop")?;
-    line = Line::from(text, line.end()?);
+    line = UsualLine::from(text, line.end()?);
     line.pass(b"endfacet")?;
     Some(Facet { start, normal, corners, end: line.end()? })
 }

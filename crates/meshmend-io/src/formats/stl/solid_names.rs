@@ -9,7 +9,7 @@ use crate::text::{self, is_blank, is_space};
 
 /// Finds the ends of names. It remembers where the next facet of a line begins, so that a line of many solids is searched
 /// once.
-pub(super) struct Names<'a> {
+pub(super) struct SolidNames<'a> {
     text: &'a [u8],
     /// The part of a line before `next`, as far as it was searched.
     searched: Range<usize>,
@@ -23,10 +23,10 @@ enum Next {
     LineEnd,
 }
 
-impl<'a> Names<'a> {
+impl<'a> SolidNames<'a> {
     pub(super) fn new(text: &'a [u8]) -> Self {
         // No name begins at the first byte.
-        Names { text, searched: 0..0, next: Next::LineEnd }
+        SolidNames { text, searched: 0..0, next: Next::LineEnd }
     }
 
     /// Where the name ends that begins at a byte, after the word `solid`.

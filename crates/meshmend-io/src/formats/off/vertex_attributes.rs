@@ -16,14 +16,14 @@ use crate::text::{self, words};
 
 /// The values of all vertices.
 #[derive(Default)]
-pub(super) struct Beside<'a> {
+pub(super) struct VertexAttributes<'a> {
     pub(super) normals: Vec<f64>,
     pub(super) texcoords: Vec<f64>,
     /// Where there are both normals and colours, the texts of both together.
     pairs: Vec<&'a [u8]>,
 }
 
-impl<'a> Beside<'a> {
+impl<'a> VertexAttributes<'a> {
     /// Keeps the colour of a vertex; `start` is where its normal begins, if it has one.
     pub(super) fn add_color(
         &mut self,

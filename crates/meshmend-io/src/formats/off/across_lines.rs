@@ -3,16 +3,16 @@
 //! Only the colours of faces are bound to lines. Colours of vertices may have three or four numbers, and faces colours or
 //! none: each is tried, and an answer counts only if it uses up the file to the last word.
 
-use crate::formats::off::beside::Beside;
-use crate::formats::off::blocks::read_faces;
 use crate::formats::off::header::Columns;
 use crate::formats::off::read::Reader;
+use crate::formats::off::sections::read_faces;
+use crate::formats::off::vertex_attributes::VertexAttributes;
 use crate::read::Source;
 use crate::{Limits, NoteKind};
 
 /// Where faces stand.
 #[derive(Clone, Copy)]
-enum Faces {
+enum FacePlacement {
     /// Each on a line of its own, with or without a colour behind it.
     OnLines,
     /// Anywhere, without colours.
@@ -24,8 +24,9 @@ pub(super) fn read<'a>(source: &'a Source<'a>, limits: &'a Limits) -> Option<Rea
     let columns = Reader::new(source, limits).header().ok()?;
     // Where vertices have no colours, it does not matter how many numbers those would have.
     let widths = if columns.color { &[4, 3][..] } else { &[0] };
-    let forms =
-        widths.iter().flat_map(|&width| [Faces::OnLines, Faces::Anywhere].map(|faces| (width, faces)));
+    let forms = widths
+        .iter()
+        .flat_map(|&width| [FacePlacement::OnLines, FacePlacement::Anywhere].map(|faces| (width, faces)));
     forms.into_iter().find_map(|(width, faces)| read_form(source, limits, width, faces))
 }
 
@@ -34,22 +35,22 @@ fn read_form<'a>(
     source: &'a Source<'a>,
     limits: &'a Limits,
     width: usize,
-    faces: Faces,
+    faces: FacePlacement,
 ) -> Option<Reader<'a>> {
     let mut reader = Reader::new(source, limits);
     let columns = reader.header().ok()?;
     let [vertex_count, face_count] = reader.counts().ok()?;
     let at = reader.at;
-    let mut beside = Beside::default();
-    (0..vertex_count).try_for_each(|_| vertex(&mut reader, columns, width, &mut beside))?;
-    beside.finish(columns, &mut reader);
+    let mut attributes = VertexAttributes::default();
+    (0..vertex_count).try_for_each(|_| vertex(&mut reader, columns, width, &mut attributes))?;
+    attributes.finish(columns, &mut reader);
     match faces {
-        Faces::OnLines => {
+        FacePlacement::OnLines => {
             reader.skip_blanks();
             reader.line_ended().then_some(())?;
             read_faces(&mut reader, face_count).ok()?;
         }
-        Faces::Anywhere => (0..face_count).try_for_each(|_| face(&mut reader))?,
+        FacePlacement::Anywhere => (0..face_count).try_for_each(|_| face(&mut reader))?,
     }
     if reader.find_line() || reader.parts.highest.beyond(vertex_count).is_some() {
         return None;
@@ -66,7 +67,7 @@ fn vertex<'a>(
     reader: &mut Reader<'a>,
     columns: Columns,
     width: usize,
-    beside: &mut Beside<'a>,
+    attributes: &mut VertexAttributes<'a>,
 ) -> Option<()> {
     let vertex = reader.parts.positions.len();
     let point = [number(reader)?, number(reader)?, number(reader)?];
@@ -76,7 +77,7 @@ fn vertex<'a>(
     }
     let start = reader.at;
     if columns.normal {
-        beside.normals.extend([number(reader)?, number(reader)?, number(reader)?]);
+        attributes.normals.extend([number(reader)?, number(reader)?, number(reader)?]);
     }
     if columns.color {
         reader.find_line();
@@ -88,10 +89,10 @@ fn vertex<'a>(
         if reader.bytes[start..reader.at].contains(&b'#') {
             return None;
         }
-        beside.add_color(reader, columns, vertex, start, color);
+        attributes.add_color(reader, columns, vertex, start, color);
     }
     if columns.texcoord {
-        beside.texcoords.extend([number(reader)?, number(reader)?]);
+        attributes.texcoords.extend([number(reader)?, number(reader)?]);
     }
     Some(())
 }

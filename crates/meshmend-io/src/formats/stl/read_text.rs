@@ -1,17 +1,17 @@
-//! The reader of STL as text. Facets that are laid out as usual are parsed ahead of it.
+//! The reader of STL as text. UsualFacets that are laid out as usual are parsed ahead of it.
 
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values, VertexId, counted};
 
 use std::collections::BTreeMap;
 
-use crate::formats::stl::facets::Facets;
-use crate::formats::stl::names::Names;
 use crate::formats::stl::normals::{Recomputed, roughly};
+use crate::formats::stl::solid_names::SolidNames;
+use crate::formats::stl::usual_facets::UsualFacets;
 use crate::formats::stl::{SOLID, StlShape};
 use crate::input::assemble::Parts;
 use crate::read::{Parsed, Source};
 use crate::shell::Shape;
-use crate::text::speculative_parse::{self as ahead, read_ahead};
+use crate::text::speculative_parse::{SequentialReader, read_speculatively};
 use crate::text::{self, is_space};
 use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
 
@@ -24,10 +24,10 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
         parts: Parts::default(),
         solids: Vec::new(),
         is_in_solid: false,
-        names: Names::new(source.bytes),
+        names: SolidNames::new(source.bytes),
         recomputed: Recomputed::default(),
     };
-    read_ahead(source.bytes, source.pace, &Facets::default(), &mut reader)?;
+    read_speculatively(source.bytes, source.pace, &UsualFacets::default(), &mut reader)?;
     reader.finish()
 }
 
@@ -39,7 +39,7 @@ struct Reader<'a> {
     /// Each solid's first face and name.
     solids: Vec<(usize, &'a [u8])>,
     is_in_solid: bool,
-    names: Names<'a>,
+    names: SolidNames<'a>,
     recomputed: Recomputed,
 }
 
@@ -217,7 +217,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-impl ahead::Reader<Facets> for Reader<'_> {
+impl SequentialReader<UsualFacets> for Reader<'_> {
     fn at(&self) -> usize {
         self.at
     }
@@ -234,7 +234,7 @@ impl ahead::Reader<Facets> for Reader<'_> {
         }
     }
 
-    fn take(&mut self, rows: &Facets, end: usize) {
+    fn take(&mut self, rows: &UsualFacets, end: usize) {
         let (faces, vertices) = (self.parts.faces.face_count(), self.parts.positions.len());
         let all = vertices + rows.positions.len();
         let is_within = self.limits.hold(all, faces + rows.positions.len() / 3, all);
