@@ -87,7 +87,7 @@ pub struct WriteError {
 #[non_exhaustive]
 pub enum WriteErrorKind {
     /// The name does not tell a format that is written here.
-    #[error("the format is not known; known are {}", known_formats())]
+    #[error("the format is not known; known are {}", Format::names())]
     UnknownFormat,
     /// The format has no such encoding.
     #[error("{format} has no encoding `{encoding}`")]
@@ -126,14 +126,9 @@ fn shown(place: &Place) -> String {
 
 fn unknown(looks_like: &Option<&str>) -> String {
     match looks_like {
-        Some(name) => format!("looks like {name}; the formats that are read are {}", known_formats()),
-        None => format!("the format is not known; known are {}", known_formats()),
+        Some(name) => format!("looks like {name}; the formats that are read are {}", Format::names()),
+        None => format!("the format is not known; known are {}", Format::names()),
     }
-}
-
-fn known_formats() -> String {
-    let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
-    names.join(", ")
 }
 
 #[cfg(test)]
@@ -152,7 +147,7 @@ mod tests {
 
     #[test]
     fn every_reason_why_a_file_is_not_read_says_what_is_wrong() {
-        let unknown = format!("the format is not known; known are {}", known_formats());
+        let unknown = format!("the format is not known; known are {}", Format::names());
         let obj = ReadOptions { format: Some(Format::Obj), ..ReadOptions::default() };
         let small = Limits { max_file_bytes: 7, ..Limits::default() };
         let cases = vec![
@@ -169,7 +164,7 @@ mod tests {
 
     #[test]
     fn every_reason_why_a_file_is_not_written_says_what_is_wrong() {
-        let unknown = format!("the format is not known; known are {}", known_formats());
+        let unknown = format!("the format is not known; known are {}", Format::names());
         // A vertex that is red in one triangle and blue in the other.
         let faces = FaceTable::triangles(5, [0, 1, 2, 0, 3, 4].map(VertexId).to_vec()).unwrap();
         let mesh = PolygonMesh::new(vec![[0.0; 3]; 5], faces).unwrap();

@@ -4,38 +4,12 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use meshmend_core::PolygonMesh;
-
+use crate::formats::drivers::driver;
 use crate::formats::foreign;
-use crate::formats::obj::companions;
+use crate::input::source::{Parsed, Source};
 use crate::limits::STREAM_BYTES;
-use crate::note::Notes;
 use crate::text::speculative_parse::Pace;
-use crate::{Format, Limits, Note, NoteKind, Place, ReadError, ReadErrorKind, Shell};
-
-/// How to read.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct ReadOptions {
-    /// What a file may hold at most.
-    pub limits: Limits,
-    /// The format, whatever name and content say.
-    pub format: Option<Format>,
-}
-
-/// What a file holds.
-#[derive(Clone, Debug)]
-pub struct ReadFile {
-    /// The mesh.
-    pub mesh: PolygonMesh,
-    /// The format that the file has.
-    pub format: Format,
-    /// Which form of it: `obj`, `off`, `ply-ascii`, `ply-le`, `ply-be`, `stl-ascii` or `stl-binary`.
-    pub variant: &'static str,
-    /// What in the file is not in the mesh, or not as the file has it; sorted by kind.
-    pub notes: Vec<Note>,
-    /// How the file was written, for a writer of the same format.
-    pub shell: Shell,
-}
+use crate::{Format, Limits, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions};
 
 /// Reads a mesh file. Its content tells the format where it surely can, else its name does.
 ///
@@ -58,12 +32,12 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     if bytes.len() == HEAD && announced > HEAD {
         let told = Told::of(options.format, path, &bytes, announced as u64).map_err(failed)?;
         let head = Source { bytes: &bytes, length: announced, name: &name, pace: Pace::NONE };
-        if let Some(parsed) = (told.format.driver().read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
+        if let Some(parsed) = (driver(told.format).read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
             return told.outcome(parsed);
         }
     }
     let bytes = take_in(bytes, file, announced, Most::of(announced, limits)).map_err(failed)?;
-    read_as(&bytes, &name, path, options).map(|file| companions::looked_for(file, path))
+    read_as(&bytes, &name, path, options).map(|file| (driver(file.format).look_beside)(file, path))
 }
 
 /// Reads a mesh from bytes, without a file system. The name tells the format as in [`read`], and stands in errors.
@@ -90,68 +64,19 @@ pub fn read_stream(from: impl Read, name: &str, options: &ReadOptions) -> Result
 /// What of a file is read before its format's reader takes over.
 const HEAD: usize = 1 << 16;
 
-/// The bytes of a file with its name for errors.
-pub(crate) struct Source<'a> {
-    /// All of them, or those at the start where a reader takes the others block by block.
-    pub(crate) bytes: &'a [u8],
-    /// How many there are in all.
-    pub(crate) length: usize,
-    pub(crate) name: &'a str,
-    /// How far ahead of a reader text is parsed.
-    pub(crate) pace: Pace,
-}
-
-/// What a format's reader found.
-pub(crate) struct Parsed {
-    pub(crate) mesh: PolygonMesh,
-    pub(crate) variant: &'static str,
-    pub(crate) notes: Notes,
-    pub(crate) shell: Shell,
-}
-
-impl Parsed {
-    fn of(self, format: Format) -> ReadFile {
-        let Parsed { mesh, variant, notes, shell } = self;
-        ReadFile { mesh, format, variant, notes: notes.into_list(), shell }
-    }
-}
-
-impl Source<'_> {
-    pub(crate) fn malformed(&self, place: Place, reason: impl Into<String>) -> ReadError {
-        ReadError { file: self.name.to_owned(), place, kind: ReadErrorKind::Malformed(reason.into()) }
-    }
-
-    /// An error unless `found` is within the limit.
-    #[inline]
-    pub(crate) fn limited(&self, what: &'static str, found: u64, limit: u64) -> Result<(), ReadError> {
-        if found <= limit { Ok(()) } else { Err(self.exceeded(what, found, limit)) }
-    }
-
-    #[cold]
-    fn exceeded(&self, what: &'static str, found: u64, limit: u64) -> ReadError {
-        let kind = ReadErrorKind::LimitExceeded { what, found, limit };
-        ReadError { file: self.name.to_owned(), place: Place::File, kind }
-    }
-
-    /// Why bytes that must be there can't be given.
-    #[cold]
-    pub(crate) fn failed(&self, error: io::Error) -> ReadError {
-        ReadError { file: self.name.to_owned(), place: Place::File, kind: ReadErrorKind::Io(error) }
-    }
-
-    /// The line of a byte.
-    pub(crate) fn line(&self, at: usize) -> Place {
-        Place::Line(crate::text::line_number(self.bytes, at))
-    }
-}
-
 fn read_as(bytes: &[u8], name: &str, path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     let limits = &options.limits;
     let source = Source { bytes, length: bytes.len(), name, pace: Pace::of(bytes.len()) };
     source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
     let told = Told::of(options.format, path, bytes, bytes.len() as u64);
     let told = told.map_err(|kind| ReadError { file: name.to_owned(), place: Place::File, kind })?;
-    told.outcome((told.format.driver().read)(&source, &limits.within_a_mesh()))
+    told.outcome((driver(told.format).read)(&source, &limits.within_a_mesh()))
+}
+
+fn file_of(parsed: Parsed, format: Format) -> ReadFile {
+    let Parsed { mesh, notes, shell } = parsed;
+    let variant = shell.encoding().map_or(format.name(), |encoding| format.variant(encoding));
+    ReadFile { mesh, format, variant, notes: notes.into_list(), shell }
 }
 
 /// In which format some content is to be read.
@@ -169,11 +94,11 @@ impl Told {
         if let Some(format) = wanted {
             return plain(format);
         }
-        if let Some(format) = by_name.filter(|format| (format.driver().sniff)(head, length)) {
+        if let Some(format) = by_name.filter(|format| format.is_surely(head, length)) {
             return plain(format);
         }
         if let Some(format) = Format::from_head(head, length) {
-            let is_mesh = by_name.is_some() || path.extension().is_some_and(is_foreign);
+            let is_mesh = by_name.is_some() || path.extension().is_some_and(foreign::is_extension);
             let suffix = || path.extension().map(|suffix| suffix.to_string_lossy().into_owned());
             return Ok(Told { format, name_says: if is_mesh { suffix() } else { None } });
         }
@@ -186,13 +111,13 @@ impl Told {
 
     /// What a reader says, and that the name says something else.
     fn outcome(&self, parsed: Result<Parsed, ReadError>) -> Result<ReadFile, ReadError> {
-        let Some(suffix) = &self.name_says else { return parsed.map(|parsed| parsed.of(self.format)) };
+        let Some(suffix) = &self.name_says else { return parsed.map(|parsed| file_of(parsed, self.format)) };
         let format = self.format;
         let told = format!("the name ends in `{suffix}`, but the content is {format}");
         match parsed {
             Ok(mut parsed) => {
                 parsed.notes.add(NoteKind::WrongSuffix, &told, || Place::File);
-                Ok(parsed.of(format))
+                Ok(file_of(parsed, format))
             }
             Err(ReadError { file, place, kind: ReadErrorKind::Malformed(reason) }) => {
                 let kind = ReadErrorKind::Malformed(format!("{reason} ({told})"));
@@ -201,12 +126,6 @@ impl Told {
             Err(error) => Err(error),
         }
     }
-}
-
-/// Whether an extension stands for a mesh format that is not read here.
-fn is_foreign(extension: &std::ffi::OsStr) -> bool {
-    const FOREIGN: [&str; 10] = ["gltf", "glb", "3mf", "fbx", "dae", "x3d", "wrl", "3ds", "amf", "usdz"];
-    FOREIGN.iter().any(|foreign| extension.eq_ignore_ascii_case(foreign))
 }
 
 /// A file that is to be read, and how many bytes it says that it holds: none where it does not tell.

@@ -1,16 +1,14 @@
 //! What a file has round its mesh: what a writer of the same format needs to give the file back as it was.
 //!
-//! A reader puts it beside the mesh ([`ReadFile::shell`](crate::ReadFile::shell)), and a writer is given it with
-//! [`WriteOptions::as_read`](crate::WriteOptions::as_read). A mesh that comes from no file has an empty one.
+//! A reader puts it beside the mesh ([`ReadFile::shell`](crate::ReadFile::shell)), and a writer gets it through
+//! [`WriteOptions::as_read`](crate::WriteOptions::as_read). The shell of a mesh that comes from no file is empty.
 
+use std::any::Any;
+use std::fmt;
+use std::path::Path;
 use std::sync::Arc;
 
-use crate::formats::obj::ObjShape;
-use crate::formats::obj::companions::Companions;
-use crate::formats::off::OffShape;
-use crate::formats::ply::PlyShape;
-use crate::formats::stl::StlShape;
-use crate::{Encoding, Format};
+use crate::{Encoding, Format, Loss};
 
 /// How a file was written: its format, its encoding, and what else its format lets a writer choose.
 ///
@@ -18,44 +16,49 @@ use crate::{Encoding, Format};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shell {
     file: Option<Arc<FileForm>>,
-    companions: Option<Arc<Companions>>,
 }
 
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 struct FileForm {
     format: Format,
     encoding: Encoding,
-    shape: Shape,
+    shape: Box<dyn Shape>,
 }
 
-/// What a format lets a writer choose, as a file has it.
-#[derive(Debug, PartialEq)]
-pub(crate) enum Shape {
-    Obj(ObjShape),
-    Ply(PlyShape),
-    Stl(StlShape),
-    Off(OffShape),
+/// What a format lets a writer choose, as a file has it. Each format has a type of its own for that.
+pub(crate) trait Shape: Any + fmt::Debug + Send + Sync {
+    /// Whether another shape is of the same type and says the same.
+    fn is_same(&self, other: &dyn Shape) -> bool;
+
+    /// What the file has beside its mesh that an output won't carry.
+    fn losses_in(&self, output: Output<'_>) -> Vec<Loss>;
+}
+
+/// Where a file is to be written again.
+#[derive(Clone, Copy)]
+pub(crate) enum Output<'a> {
+    /// In its own format, in this folder if that is known.
+    OfSameFormat(Option<&'a Path>),
+    /// In another format.
+    OfOtherFormat,
+}
+
+impl dyn Shape {
+    /// The shape as the type of one format, if it is of that type.
+    pub(crate) fn downcast<T: Shape>(&self) -> Option<&T> {
+        (self as &dyn Any).downcast_ref()
+    }
+}
+
+impl PartialEq for FileForm {
+    fn eq(&self, other: &Self) -> bool {
+        (self.format, self.encoding) == (other.format, other.encoding) && self.shape.is_same(&*other.shape)
+    }
 }
 
 impl Shell {
-    pub(crate) fn of_file(encoding: Encoding, shape: Shape) -> Self {
-        let format = match shape {
-            Shape::Obj(_) => Format::Obj,
-            Shape::Ply(_) => Format::Ply,
-            Shape::Stl(_) => Format::Stl,
-            Shape::Off(_) => Format::Off,
-        };
-        Shell { file: Some(Arc::new(FileForm { format, encoding, shape })), companions: None }
-    }
-
-    /// The shell of a file that names others.
-    pub(crate) fn with_companions(self, companions: Companions) -> Self {
-        Shell { companions: Some(Arc::new(companions)), ..self }
-    }
-
-    /// The files that the file names, if it names any that are there.
-    pub(crate) fn companions(&self) -> Option<&Companions> {
-        self.companions.as_deref()
+    pub(crate) fn of_file(format: Format, encoding: Encoding, shape: impl Shape) -> Self {
+        Shell { file: Some(Arc::new(FileForm { format, encoding, shape: Box::new(shape) })) }
     }
 
     /// The format of the file, if there was one.
@@ -68,8 +71,15 @@ impl Shell {
         self.file.as_ref().map(|file| file.encoding)
     }
 
-    /// What the file's writer chose, if there was one.
-    pub(crate) fn shape(&self) -> Option<&Shape> {
-        self.file.as_ref().map(|file| &file.shape)
+    /// What the file's writer chose, if there was a file of the format whose choices have this type.
+    pub(crate) fn shape<T: Shape>(&self) -> Option<&T> {
+        self.file.as_ref().and_then(|file| file.shape.downcast())
+    }
+
+    /// What the file has beside its mesh that a file of a format, in a folder if that is known, won't carry.
+    pub(crate) fn losses_in(&self, format: Format, folder: Option<&Path>) -> Vec<Loss> {
+        let Some(file) = &self.file else { return Vec::new() };
+        let output = if file.format == format { Output::OfSameFormat(folder) } else { Output::OfOtherFormat };
+        file.shape.losses_in(output)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::{self, Chain, Read};
 
-use crate::read::Source;
+use crate::input::source::Source;
 
 /// What is read at a time; it stays within the processor's caches.
 const BLOCK: usize = 1 << 18;

@@ -1,5 +1,7 @@
 //! What files are that are not read here, told by how they begin: for messages alone.
 
+use std::ffi::OsStr;
+
 use crate::text::{trimmed_start, without_mark};
 
 /// What some content surely is, though no format that is read here.
@@ -64,6 +66,14 @@ const MARKUP: [(&[u8], &str); 10] = [
     (b"\"asset\"", "glTF"),
     (b"<error>", "an error message in XML, in place of a download"),
 ];
+
+/// The extensions of mesh files that are not read here.
+const EXTENSIONS: [&str; 10] = ["gltf", "glb", "3mf", "fbx", "dae", "x3d", "wrl", "3ds", "amf", "usdz"];
+
+/// Whether an extension stands for a mesh format that is not read here.
+pub(crate) fn is_extension(extension: &OsStr) -> bool {
+    EXTENSIONS.iter().any(|foreign| extension.eq_ignore_ascii_case(foreign))
+}
 
 fn zip(head: &[u8]) -> Option<&'static str> {
     let has = |name: &[u8]| head.windows(name.len()).any(|window| window == name);

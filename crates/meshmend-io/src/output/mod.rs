@@ -2,9 +2,12 @@
 
 pub(crate) mod atomic;
 pub(crate) mod held;
-pub(crate) mod layers;
+pub(crate) mod layer_losses;
+pub(crate) mod options;
 pub(crate) mod prepare;
+pub(crate) mod prepared;
 pub(crate) mod rounding;
 pub(crate) mod seams;
 pub(crate) mod sink;
+pub(crate) mod statements;
 pub(crate) mod texture_numbers;

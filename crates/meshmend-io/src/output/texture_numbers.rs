@@ -5,7 +5,7 @@
 
 use meshmend_core::{Carry, Domain, DraftError, Layer, NO_VALUE, Values, counted};
 
-use crate::output::layers::{layer_of, number};
+use crate::layers::{layer_of, number};
 use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
 const NUMBER: &str = "texnumber";

@@ -8,8 +8,10 @@ use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
 use crate::formats::obj::library::images;
+use crate::paths::folder_of;
+use crate::shell::Output;
 use crate::text::{self, words};
-use crate::{Format, Loss, LossKind, Note, NoteKind, Place, Prepared, ReadFile};
+use crate::{Loss, LossKind, Note, NoteKind, Place};
 
 /// How many files are looked for at most.
 const MOST_FILES: usize = 64;
@@ -22,36 +24,32 @@ const MOST_NAMES: usize = 8;
 
 /// The files that are there, with their folder.
 #[derive(Debug, PartialEq)]
-pub(crate) struct Companions {
+pub(super) struct Companions {
     folder: PathBuf,
     /// As the file spells them, in its order.
     names: Vec<Vec<u8>>,
 }
 
-/// The folder that a file is in.
-pub(crate) fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+/// What a search found: the files that are there, and notes about those that are not.
+pub(super) struct Found {
+    pub(super) companions: Option<Companions>,
+    pub(super) notes: Vec<Note>,
 }
 
-/// A file that was read, with what there is to say about the files that it names.
+/// Looks for the files that the statements of a file name. The path is that of the file.
 ///
-/// *Cost*: constant for a file that names none; else that of reading its libraries.
-pub(crate) fn looked_for(mut file: ReadFile, path: &Path) -> ReadFile {
-    let statements = file.mesh.metadata().iter().filter(|statement| statement.key == "mtllib");
-    let libraries: Vec<&[u8]> = statements.map(|statement| &statement.value[..]).collect();
-    if file.format != Format::Obj || libraries.is_empty() {
-        return file;
+/// *Cost*: constant without a statement; else that of reading the libraries.
+pub(super) fn look_for(libraries: &[&[u8]], path: &Path) -> Found {
+    let nothing = Found { companions: None, notes: Vec::new() };
+    if libraries.is_empty() {
+        return nothing;
     }
-    let Ok(folder) = fs::canonicalize(folder_of(path)) else { return file };
+    let Ok(folder) = fs::canonicalize(folder_of(path)) else { return nothing };
     let mut search = Search { folder, names: Vec::new(), notes: Vec::new(), looked: 0 };
-    libraries.into_iter().for_each(|statement| search.libraries(statement));
-    file.notes.extend(search.notes);
-    file.notes.sort_by_key(|note| note.kind);
-    let companions = Companions { folder: search.folder, names: search.names };
-    if !companions.names.is_empty() {
-        file.shell = file.shell.with_companions(companions);
-    }
-    file
+    libraries.iter().for_each(|statement| search.libraries(statement));
+    let Search { folder, names, notes, .. } = search;
+    let companions = (!names.is_empty()).then_some(Companions { folder, names });
+    Found { companions, notes }
 }
 
 /// What is found out about the files that a file names.
@@ -63,7 +61,7 @@ struct Search {
 }
 
 /// Where a name leads.
-enum Found {
+enum Lead {
     There(PathBuf),
     Missing,
     Outside,
@@ -72,7 +70,7 @@ enum Found {
 impl Search {
     /// The libraries of one statement: its words, or all of it where that is the name of a file.
     fn libraries(&mut self, statement: &[u8]) {
-        let is_whole = matches!(self.find(statement), Found::There(_));
+        let is_whole = matches!(self.find(statement), Lead::There(_));
         let names: Vec<&[u8]> = if is_whole { vec![statement] } else { words(statement).collect() };
         for name in names {
             if let Some(path) = self.companion("material library", name) {
@@ -90,7 +88,7 @@ impl Search {
     /// An image, whose name is read in two ways: the one that leads to a file is right.
     fn image(&mut self, [whole, last]: &[&[u8]; 2]) {
         let is_last =
-            !matches!(self.find(whole), Found::There(_)) && matches!(self.find(last), Found::There(_));
+            !matches!(self.find(whole), Lead::There(_)) && matches!(self.find(last), Lead::There(_));
         self.companion("image", if is_last { last } else { whole });
     }
 
@@ -102,12 +100,12 @@ impl Search {
         self.looked += 1;
         let shown = text::shown(name);
         let (kind, message) = match self.find(name) {
-            Found::There(path) => {
+            Lead::There(path) => {
                 self.names.push(name.to_vec());
                 return Some(path);
             }
-            Found::Missing => (NoteKind::CompanionMissing, format!("{what} `{shown}` is not there")),
-            Found::Outside => {
+            Lead::Missing => (NoteKind::CompanionMissing, format!("{what} `{shown}` is not there")),
+            Lead::Outside => {
                 let message =
                     format!("{what} `{shown}` is outside the folder of the file and was not opened");
                 (NoteKind::CompanionOutside, message)
@@ -123,13 +121,13 @@ impl Search {
         }
     }
 
-    fn find(&self, name: &[u8]) -> Found {
-        let Some(path) = within(name) else { return Found::Outside };
+    fn find(&self, name: &[u8]) -> Lead {
+        let Some(path) = within(name) else { return Lead::Outside };
         match fs::canonicalize(self.folder.join(path)) {
-            Err(_) => Found::Missing,
-            Ok(path) if !path.starts_with(&self.folder) => Found::Outside,
-            Ok(path) if path.is_file() => Found::There(path),
-            Ok(_) => Found::Missing,
+            Err(_) => Lead::Missing,
+            Ok(path) if !path.starts_with(&self.folder) => Lead::Outside,
+            Ok(path) if path.is_file() => Lead::There(path),
+            Ok(_) => Lead::Missing,
         }
     }
 }
@@ -157,10 +155,11 @@ fn read_start(path: &Path) -> io::Result<Vec<u8>> {
 }
 
 /// The loss of the files that the input names and that the output won't find.
-pub(crate) fn loss(prepared: &Prepared) -> Option<Loss> {
-    let companions = prepared.options.shell.companions()?;
-    let is_obj = prepared.format == Format::Obj;
-    let folder = prepared.options.folder.as_deref();
+pub(super) fn loss(companions: &Companions, output: Output<'_>) -> Option<Loss> {
+    let (is_obj, folder) = match output {
+        Output::OfSameFormat(folder) => (true, folder),
+        Output::OfOtherFormat => (false, None),
+    };
     let stays = |name: &&Vec<u8>| !is_obj || folder.is_some_and(|folder| !companions.is_in(folder, name));
     let left: Vec<&Vec<u8>> = companions.names.iter().filter(stays).collect();
     Loss::if_any(LossKind::Companion, left.len(), |count| {

@@ -2,28 +2,27 @@
 
 use meshmend_core::{Carry, Domain, Layer, Values};
 
-use crate::formats::obj::ObjShape;
 use crate::formats::obj::name_statements::KINDS;
-use crate::formats::obj::read::Reader;
-use crate::input::assemble::Uses;
-use crate::read::Parsed;
-use crate::shell::Shape;
-use crate::{Encoding, NoteKind, Place, ReadError, Shell};
+use crate::formats::obj::reader::Reader;
+use crate::formats::obj::shape::ObjShape;
+use crate::input::indices::Uses;
+use crate::input::source::Parsed;
+use crate::{Encoding, Format, NoteKind, Place, ReadError, Shell};
 
 impl Reader<'_> {
     pub(super) fn finish(mut self) -> Result<Parsed, ReadError> {
         if !self.is_obj {
             return Err(self.source.malformed(Place::Line(1), "no statement of an OBJ file"));
         }
-        let shape = ObjShape { has_alpha: self.colors.has_alpha() };
+        let shape = ObjShape { has_alpha: self.colors.has_alpha(), companions: None };
         self.vertex_layers();
         let texcoords = self.corner_layers();
         self.name_layers();
         self.loose_layers(texcoords.as_ref());
         let source = self.source;
         let (mesh, notes) = self.parts.assemble(source, 1, |at| source.line(at))?;
-        let shell = Shell::of_file(Encoding::Ascii, Shape::Obj(shape));
-        Ok(Parsed { mesh, variant: "obj", notes, shell })
+        let shell = Shell::of_file(Format::Obj, Encoding::Ascii, shape);
+        Ok(Parsed { mesh, notes, shell })
     }
 
     fn name_layers(&mut self) {

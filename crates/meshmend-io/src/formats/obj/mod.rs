@@ -14,51 +14,33 @@
 //! does not exist leaves the corner without that value and is noted, as the geometry is whole. `\` at the end of
 //! a line continues it (not a comment). Lines end with LF, CR LF or CR.
 
-mod comments;
-pub(crate) mod companions;
+mod comment_anchors;
+mod companions;
+pub(crate) mod facts;
 mod finish;
 mod library;
-mod loose;
+mod loose_parts;
 mod name_statements;
 mod pools;
 mod read;
+mod read_loose;
+mod reader;
+mod shape;
 mod statement_cursor;
 mod usual_statements;
 mod write;
+mod write_comments;
 mod write_loose;
 mod write_names;
+mod write_values;
 
-use crate::formats::format::Driver;
-use crate::shell::Shape;
-use crate::{Encoding, Prepared};
+use crate::formats::driver::Driver;
 
 pub(crate) static DRIVER: Driver = Driver {
-    name: "OBJ",
-    extensions: &["obj"],
-    encodings: &[Encoding::Ascii],
-    holds_polygons: true,
-    sniff: |head, _| read::sniff(head),
     read: read::read,
-    read_blocks: |_, _, _| None,
+    read_blocks: Driver::needs_whole_file,
+    look_beside: shape::look_beside,
     prepare: write::prepare,
     encode: write::encode,
     losses: write::losses,
 };
-
-/// What an OBJ file's writer chose.
-#[derive(Debug, Default, PartialEq)]
-pub(crate) struct ObjShape {
-    /// Whether colours have a fourth number. Most other programs misread a vertex of seven numbers, so they get it only where
-    /// it was there.
-    has_alpha: bool,
-}
-
-impl ObjShape {
-    /// How many numbers of a colour are written: four where the mesh comes from an OBJ with four.
-    fn color_width(prepared: &Prepared) -> usize {
-        match prepared.shape() {
-            Some(Shape::Obj(shape)) if shape.has_alpha => 4,
-            _ => 3,
-        }
-    }
-}

@@ -2,43 +2,17 @@
 
 use std::borrow::Cow;
 
-use meshmend_core::{NO_VALUE, VertexId};
+use meshmend_core::VertexId;
 
-use crate::formats::obj::comments::Anchors;
-use crate::formats::obj::loose::LooseParts;
-use crate::formats::obj::name_statements::{Elements, KINDS, Runs};
-use crate::formats::obj::pools::{Colors, Pool};
-use crate::formats::obj::statement_cursor::{COLUMNS, Cursor};
+use crate::formats::obj::comment_anchors::{COMMENT, ELEMENTS, END};
+use crate::formats::obj::name_statements::KINDS;
+use crate::formats::obj::reader::Reader;
+use crate::formats::obj::statement_cursor::COLUMNS;
 use crate::formats::obj::usual_statements::UsualStatements;
-use crate::input::assemble::{Parts, Uses, no_such_vertex};
-use crate::read::{Parsed, Source};
+use crate::input::source::{Parsed, Source};
 use crate::text::speculative_parse::{SequentialReader, read_speculatively};
 use crate::text::{self, is_blank, is_line_end};
 use crate::{Limits, NoteKind, ReadError};
-
-/// Whether a text surely is OBJ: it begins with a usual statement, and has a vertex, a texture coordinate or a normal.
-pub(super) fn sniff(bytes: &[u8]) -> bool {
-    const FIRST: [&[u8]; 8] = [b"v", b"mtllib", b"o", b"g", b"vn", b"vt", b"usemtl", b"s"];
-    let start = &bytes[..bytes.len().min(1 << 16)];
-    let lines = start.split(|&b| is_line_end(b)).map(text::trimmed);
-    let mut statements = lines.filter(|line| !line.is_empty() && !line.starts_with(b"#")).peekable();
-    let begins_so = statements.peek().is_some_and(|line| FIRST.contains(&text::word(line, 0)));
-    begins_so && statements.any(is_values)
-}
-
-/// Whether a line has the word of a vertex, a texture coordinate or a normal, and numbers alone behind it.
-fn is_values(line: &[u8]) -> bool {
-    let mut words = text::words(line);
-    let least = match words.next() {
-        Some(b"v" | b"vn") => 3,
-        Some(b"vt") => 1,
-        _ => return false,
-    };
-    let is_number = |word: &[u8]| text::real::<f64>(word).is_some_and(|(_, length)| length == word.len());
-    let mut count = 0;
-    let are_numbers = words.take_while(|word| !word.starts_with(b"#")).inspect(|_| count += 1).all(is_number);
-    are_numbers && count >= least
-}
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let mut reader = Reader::new(source, limits);
@@ -46,45 +20,7 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
     reader.finish()
 }
 
-pub(super) struct Reader<'a> {
-    pub(super) source: &'a Source<'a>,
-    pub(super) limits: &'a Limits,
-    pub(super) cursor: Cursor<'a>,
-    /// Whether a statement, or a comment, was understood.
-    pub(super) is_obj: bool,
-    pub(super) parts: Parts,
-    pub(super) weights: Option<Vec<f64>>,
-    pub(super) colors: Colors,
-    pub(super) texcoords: Pool,
-    pub(super) normals: Pool,
-    pub(super) texcoord_uses: Uses,
-    pub(super) normal_uses: Uses,
-    pub(super) names: [Runs<'a>; KINDS.len()],
-    pub(super) loose: LooseParts,
-    pub(super) anchors: Anchors,
-}
-
-impl<'a> Reader<'a> {
-    fn new(source: &'a Source<'a>, limits: &'a Limits) -> Self {
-        let pool = |width| Pool { width, values: Vec::new(), mixed: 0 };
-        Reader {
-            source,
-            limits,
-            cursor: Cursor::new(source),
-            is_obj: false,
-            parts: Parts::default(),
-            weights: None,
-            colors: Colors::default(),
-            texcoords: pool(0),
-            normals: pool(3),
-            texcoord_uses: Uses::default(),
-            normal_uses: Uses::default(),
-            names: Default::default(),
-            loose: LooseParts::default(),
-            anchors: Anchors::default(),
-        }
-    }
-
+impl Reader<'_> {
     #[inline]
     fn statement(&mut self, first: u8) -> Result<(), ReadError> {
         let is_short =
@@ -147,6 +83,27 @@ impl<'a> Reader<'a> {
         self.cursor.at = end;
     }
 
+    /// The key of a comment that ends at a byte: before the first vertex it stands on top.
+    fn comment_key(&mut self, end: usize) -> String {
+        let kind = self.anchors.after(self.cursor.bytes, end);
+        let elements = self.elements();
+        let counts = [
+            self.parts.positions.len(),
+            self.texcoords.len(),
+            self.normals.len(),
+            elements.faces,
+            elements.edges,
+            elements.points,
+        ];
+        if counts[0] == 0 {
+            return COMMENT.to_owned();
+        }
+        match kind {
+            Some(kind) => format!("{COMMENT}@{}{}", ELEMENTS[kind], counts[kind] + 1),
+            None => format!("{COMMENT}@{END}"),
+        }
+    }
+
     fn keep(&mut self, key: &str, value: &[u8], start: usize) {
         let source = self.source;
         self.parts.keep_statement(key, value, self.limits, || source.line(start));
@@ -158,15 +115,6 @@ impl<'a> Reader<'a> {
         let first = self.elements();
         self.names[kind].start(first, name, start);
         Ok(())
-    }
-
-    /// How many elements there are so far.
-    pub(super) fn elements(&self) -> Elements {
-        Elements {
-            faces: self.parts.faces.face_count(),
-            edges: self.parts.loose_edges.len(),
-            points: self.parts.loose_points.len(),
-        }
     }
 
     fn vertex(&mut self) -> Result<(), ReadError> {
@@ -265,37 +213,6 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// The index of a vertex from 0 on; whether it exists is known at the end, unless it counts back.
-    #[inline]
-    pub(super) fn vertex_index(&mut self, raw: i64, start: usize) -> Result<u32, ReadError> {
-        let count = self.parts.positions.len();
-        match resolved(raw, count) {
-            Some(index) => {
-                self.parts.highest.see(index, start);
-                Ok(index)
-            }
-            None if raw == 0 => Err(self.cursor.wrong(start, "vertex index 0: the first vertex is 1")),
-            None if raw.saturating_abs() == i64::MAX => {
-                Err(self.cursor.wrong(start, "a vertex index beyond 64 bits"))
-            }
-            None => Err(self.cursor.wrong(start, &no_such_vertex(raw, count))),
-        }
-    }
-
-    /// The index of a texture coordinate or normal; one that can't exist becomes one that does not.
-    pub(super) fn attribute_index(&mut self, raw: i64, count: usize, start: usize) -> u32 {
-        resolved(raw, count).unwrap_or_else(|| {
-            self.note_out_of_range(1, start);
-            NO_VALUE
-        })
-    }
-
-    pub(super) fn note_out_of_range(&mut self, count: u64, start: usize) {
-        let source = self.source;
-        let message = "texture or normal indices that do not exist; the corners have no such value";
-        self.parts.notes.add_many(NoteKind::AttributeOutOfRange, message, count, || source.line(start));
-    }
-
     fn note_surplus(&mut self, message: &str, start: usize) {
         let source = self.source;
         self.parts.notes.add(NoteKind::SurplusColumns, message, || source.line(start));
@@ -346,15 +263,4 @@ impl SequentialReader<UsualStatements> for Reader<'_> {
     fn is_done(&self) -> bool {
         false
     }
-}
-
-/// An index from 0 on: positive ones count from 1, negative ones back from the count.
-#[inline]
-fn resolved(raw: i64, count: usize) -> Option<u32> {
-    let index = match raw {
-        1.. => raw - 1,
-        0 => return None,
-        _ => raw + count as i64,
-    };
-    u32::try_from(index).ok().filter(|&index| index != NO_VALUE)
 }

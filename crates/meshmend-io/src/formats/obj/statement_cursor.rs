@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::ReadError;
-use crate::read::Source;
+use crate::input::source::Source;
 use crate::text::{self, is_blank, is_line_end};
 
 /// Goes through the bytes of a file.

@@ -4,7 +4,7 @@
 use meshmend_core::{FaceTableBuilder, VertexId};
 
 use crate::formats::obj::pools::{Colors, Pool};
-use crate::input::assemble::{MaxIndex, Uses};
+use crate::input::indices::{MaxIndex, Uses};
 use crate::text::speculative_parse::UsualRows;
 use crate::text::usual_line::UsualLine;
 

@@ -4,15 +4,16 @@ use std::io;
 
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values, counted};
 
-use crate::formats::obj::ObjShape;
-use crate::formats::obj::comments::{Between, COMMENT, ELEMENTS, FACE, NORMAL, TEXCOORD, VERTEX, is_between};
+use crate::formats::obj::comment_anchors::{COMMENT, ELEMENTS, FACE, NORMAL, TEXCOORD, VERTEX};
+use crate::formats::obj::shape::ObjShape;
+use crate::formats::obj::write_comments::{Between, is_between};
 use crate::formats::obj::write_loose::LoosePlan;
 use crate::formats::obj::write_names::NameWriter;
-use crate::output::layers::{
-    absent, has_fractions, is_numeric, layer_losses, layer_of, losses_in, metadata_losses, number, one_line,
-    spelling_loss,
-};
+use crate::formats::obj::write_values::{attributes, spaced, values};
+use crate::layers::{has_fractions, is_numeric, layer_of, number};
+use crate::output::layer_losses::{absent, layer_losses, losses_in};
 use crate::output::sink::Sink;
+use crate::output::statements::{metadata_losses, one_line, spelling_loss};
 use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
 /// UsualStatements about the whole file, with their keys.
@@ -197,24 +198,6 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// What follows a vertex: the numbers of its texture coordinate and normal.
-#[inline]
-pub(super) fn attributes(sink: &mut Sink<'_>, texcoord: Option<usize>, normal: Option<usize>) {
-    match (texcoord, normal) {
-        (None, None) => {}
-        (Some(texcoord), None) => {
-            sink.byte(b'/');
-            sink.integer(texcoord as i64 + 1);
-        }
-        (texcoord, Some(normal)) => {
-            sink.byte(b'/');
-            texcoord.iter().for_each(|&texcoord| sink.integer(texcoord as i64 + 1));
-            sink.byte(b'/');
-            sink.integer(normal as i64 + 1);
-        }
-    }
-}
-
 fn pool(
     layer: Option<&Layer>,
     kind: usize,
@@ -231,19 +214,4 @@ fn pool(
     }
     between.after_all(kind, sink);
     Ok(())
-}
-
-/// A statement of the numbers of one value.
-#[inline]
-pub(super) fn values(layer: &Layer, value: usize, statement: &[u8], sink: &mut Sink<'_>) {
-    sink.bytes(statement);
-    let width = layer.width();
-    (0..width).for_each(|i| spaced(sink, number(layer.values(), value * width + i)));
-    sink.byte(b'\n');
-}
-
-#[inline]
-fn spaced(sink: &mut Sink<'_>, value: f64) {
-    sink.byte(b' ');
-    sink.real(value);
 }

@@ -4,11 +4,12 @@ use std::io;
 
 use meshmend_core::{Domain, Layer, PolygonMesh, Values, VertexId};
 
-use crate::formats::obj::comments::{Between, LINE, POINT};
-use crate::formats::obj::loose::{END_TEXCOORD, POLYLINE};
-use crate::formats::obj::write::{attributes, values};
+use crate::formats::obj::comment_anchors::{LINE, POINT};
+use crate::formats::obj::loose_parts::{END_TEXCOORD, POLYLINE};
+use crate::formats::obj::write_comments::Between;
 use crate::formats::obj::write_names::NameWriter;
-use crate::output::layers::{is_numeric, layer_of};
+use crate::formats::obj::write_values::{attributes, values};
+use crate::layers::{is_numeric, layer_of};
 use crate::output::sink::Sink;
 
 /// Which layers of loose elements are written, and where their texture coordinates are.

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use meshmend_core::{Layer, PolygonMesh, Values};
 
 use crate::formats::obj::name_statements::{KINDS, Kind, NAMED, spelled};
-use crate::output::layers::layer_of;
+use crate::layers::layer_of;
 use crate::output::sink::Sink;
 use crate::{Loss, LossKind};
 

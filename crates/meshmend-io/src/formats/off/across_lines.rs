@@ -3,11 +3,11 @@
 //! Only the colours of faces are bound to lines. Colours of vertices may have three or four numbers, and faces colours or
 //! none: each is tried, and an answer counts only if it uses up the file to the last word.
 
-use crate::formats::off::header::Columns;
-use crate::formats::off::read::Reader;
+use crate::formats::off::letters::Columns;
+use crate::formats::off::reader::Reader;
 use crate::formats::off::sections::read_faces;
 use crate::formats::off::vertex_attributes::VertexAttributes;
-use crate::read::Source;
+use crate::input::source::Source;
 use crate::{Limits, NoteKind};
 
 /// Where faces stand.

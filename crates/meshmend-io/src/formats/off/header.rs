@@ -2,63 +2,10 @@
 
 use meshmend_core::counted;
 
-use crate::formats::off::read::Reader;
+use crate::formats::off::letters::{Columns, letters_and_count};
+use crate::formats::off::reader::Reader;
 use crate::text::{self, one_or_many};
 use crate::{NoteKind, ReadError};
-
-/// What each vertex has beside its coordinates.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Columns {
-    pub(super) texcoord: bool,
-    pub(super) color: bool,
-    pub(super) normal: bool,
-}
-
-impl Columns {
-    /// The columns that the letters before `OFF` stand for; they may come in any order.
-    fn of_letters(mut letters: &[u8]) -> Option<Columns> {
-        let mut columns = Columns::default();
-        while !letters.is_empty() {
-            let (rest, column) = match letters {
-                [b'S', b'T', rest @ ..] => (rest, &mut columns.texcoord),
-                [b'C', rest @ ..] => (rest, &mut columns.color),
-                [b'N', rest @ ..] => (rest, &mut columns.normal),
-                _ => return None,
-            };
-            if std::mem::replace(column, true) {
-                return None;
-            }
-            letters = rest;
-        }
-        Some(columns)
-    }
-}
-
-/// Whether a text surely is OFF: it begins with the word, and two numbers or `BINARY` follow.
-pub(super) fn sniff<'a>(bytes: &'a [u8]) -> bool {
-    let bytes = &bytes[text::text_start(bytes)..];
-    let without_comment = |line: &'a [u8]| line.split(|&b| b == b'#').next().unwrap_or_default();
-    let mut words = bytes.split(|&b| text::is_line_end(b)).map(without_comment).flat_map(text::words);
-    let Some((letters, mut glued)) = words.next().and_then(letters_and_count) else { return false };
-    let is_count = |word: &[u8]| text::digits(word).is_some_and(|(_, length)| length == word.len());
-    let mut next = || match std::mem::take(&mut glued) {
-        [] => words.next().unwrap_or_default(),
-        count => count,
-    };
-    let first = next();
-    is_known(letters) && (first == b"BINARY" || (is_count(first) && is_count(next())))
-}
-
-fn is_known(letters: &[u8]) -> bool {
-    Columns::of_letters(letters).is_some()
-}
-
-/// The letters before `OFF` in a word, and the number that is glued to it.
-fn letters_and_count(word: &[u8]) -> Option<(&[u8], &[u8])> {
-    let at = word.windows(3).position(|window| window == b"OFF")?;
-    let (letters, count) = (&word[..at], &word[at + 3..]);
-    count.iter().all(u8::is_ascii_digit).then_some((letters, count))
-}
 
 impl<'a> Reader<'a> {
     /// Reads the word, if there is one, and says which columns its letters stand for.
@@ -147,32 +94,5 @@ impl<'a> Reader<'a> {
     fn word(&self) -> &'a [u8] {
         let word = text::word(self.bytes, self.at);
         &word[..word.iter().position(|&b| b == b'#').unwrap_or(word.len())]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_text_is_surely_off_when_numbers_follow_the_word() {
-        for text in
-            ["OFF\n3 1 0", "OFF3 1", "# c\n CNOFF # d\n\n8\n9", "OFF BINARY", "STOFF 1 2", "\u{feff}OFF 1 2"]
-        {
-            assert!(sniff(text.as_bytes()), "{text}");
-        }
-        for text in [
-            "",
-            "OFF",
-            "OFF 3",
-            "OFF is a format",
-            "OFFER 3 1 0",
-            "XOFF 3 1 0",
-            "3 1 0",
-            "SOFF 3 1",
-            "OFF3x 1",
-        ] {
-            assert!(!sniff(text.as_bytes()), "{text}");
-        }
     }
 }

@@ -22,32 +22,24 @@
 
 mod across_lines;
 mod colors;
+pub(crate) mod facts;
 mod header;
+mod letters;
 mod read;
+mod reader;
 mod sections;
+mod shape;
 mod usual_lines;
 mod vertex_attributes;
 mod write;
 
-use crate::Encoding;
-use crate::formats::format::Driver;
+use crate::formats::driver::Driver;
 
 pub(crate) static DRIVER: Driver = Driver {
-    name: "OFF",
-    extensions: &["off", "coff", "noff", "cnoff", "stoff"],
-    encodings: &[Encoding::Ascii],
-    holds_polygons: true,
-    sniff: |head, _| header::sniff(head),
     read: read::read,
-    read_blocks: |_, _, _| None,
+    read_blocks: Driver::needs_whole_file,
+    look_beside: Driver::names_no_files,
     prepare: write::prepare,
     encode: write::encode,
     losses: write::losses,
 };
-
-/// What an OFF file's writer chose.
-#[derive(Debug, Default, PartialEq)]
-pub(crate) struct OffShape {
-    /// The letters before the word `OFF`.
-    letters: Vec<u8>,
-}

@@ -4,8 +4,8 @@
 use meshmend_core::counted;
 
 use crate::ReadError;
-use crate::formats::off::header::Columns;
-use crate::formats::off::read::Reader;
+use crate::formats::off::letters::Columns;
+use crate::formats::off::reader::Reader;
 use crate::formats::off::usual_lines::{UsualFaces, UsualVertices};
 use crate::formats::off::vertex_attributes::VertexAttributes;
 use crate::text;

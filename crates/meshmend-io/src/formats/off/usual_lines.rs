@@ -2,7 +2,7 @@
 
 use meshmend_core::{FaceTableBuilder, VertexId};
 
-use crate::input::assemble::MaxIndex;
+use crate::input::indices::MaxIndex;
 use crate::text::speculative_parse::UsualRows;
 use crate::text::usual_line::UsualLine;
 

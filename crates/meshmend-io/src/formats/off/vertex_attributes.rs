@@ -10,8 +10,8 @@ use meshmend_core::{Carry, Domain, Layer, Role, Values};
 
 use crate::NoteKind;
 use crate::formats::off::colors::Colors;
-use crate::formats::off::header::Columns;
-use crate::formats::off::read::Reader;
+use crate::formats::off::letters::Columns;
+use crate::formats::off::reader::Reader;
 use crate::text::{self, words};
 
 /// The values of all vertices.

@@ -4,14 +4,12 @@ use std::io;
 
 use meshmend_core::{Domain, Id, Layer, Values, counted};
 
-use crate::formats::off::OffShape;
 use crate::formats::off::colors::INDEX_LAYER;
-use crate::output::layers::{
-    absent, absent_loss, has_fractions, is_numeric, layer_losses, layer_of, loose_losses, metadata_losses,
-    number, one_line, spelling_loss,
-};
+use crate::formats::off::shape::OffShape;
+use crate::layers::{has_fractions, is_numeric, layer_of, number};
+use crate::output::layer_losses::{absent, absent_loss, layer_losses, loose_losses};
 use crate::output::sink::Sink;
-use crate::shell::Shape;
+use crate::output::statements::{metadata_losses, one_line, spelling_loss};
 use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
 /// Which layers are written.
@@ -99,8 +97,8 @@ impl<'a> Plan<'a> {
         };
         let vertex = |name, width| on_vertices(name, &|layer| is_numeric(layer) && layer.width() == width);
         let (normal, vertex_color) = (vertex("normal", 3), on_vertices("color", &is_color));
-        let letters = match prepared.options.shell.shape() {
-            Some(Shape::Off(OffShape { letters })) => letters,
+        let letters = match prepared.shape() {
+            Some(OffShape { letters }) => letters,
             _ => &[][..],
         };
         // Headers that join `ST` with other letters are legal, but many programs don't read them.

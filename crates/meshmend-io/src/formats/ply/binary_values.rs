@@ -8,7 +8,7 @@ use crate::binary::block_reader::BlockReader;
 use crate::formats::ply::data::{Data, FixedRows};
 use crate::formats::ply::header::Element;
 use crate::formats::ply::scalar::Scalar;
-use crate::read::Source;
+use crate::input::source::Source;
 use crate::text::one_or_many;
 use crate::{Place, ReadError};
 

@@ -3,9 +3,8 @@
 use meshmend_core::{Carry, Domain, Layer, Values};
 
 use crate::ReadError;
-use crate::formats::ply::data::{Data, RowReader};
+use crate::formats::ply::data::Data;
 use crate::formats::ply::header::{Element, Property};
-use crate::formats::ply::rows::CarriedRowReader;
 
 /// The values of the columns of an element, apart from the one that is read in another way.
 pub(super) struct Columns {
@@ -69,24 +68,6 @@ fn extend(values: &mut Values, numbers: impl Iterator<Item = f64>) {
 }
 
 impl Columns {
-    /// All rows of an element.
-    pub(super) fn of_rows(element: &Element, data: &mut impl Data) -> Result<Self, ReadError> {
-        let mut columns = Columns::new(element);
-        if element.properties.is_empty() {
-            return Ok(columns);
-        }
-        let sizes = element.properties.iter().map(|property| property.item.size());
-        let offsets = sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size)));
-        let offsets: Vec<usize> = offsets.collect();
-        let is_read = data.fixed_rows(element, |rows| {
-            columns.values.iter_mut().zip(&offsets).for_each(|(values, &at)| rows.extend(values, at));
-        })?;
-        if !is_read {
-            data.each_row(element, None, &mut CarriedRowReader { element, columns: &mut columns })?;
-        }
-        Ok(columns)
-    }
-
     /// A layer a column, in which each row has its own value.
     pub(super) fn into_layers(self, element: &Element) -> Vec<Layer> {
         let columns = self.values.into_iter().zip(&element.properties);
@@ -94,23 +75,6 @@ impl Columns {
             Layer::direct(property.name.clone(), Domain::Face, 1, Carry::Clear, values)
         };
         columns.map(layer).collect()
-    }
-}
-
-/// Passes over the rows of an element.
-pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
-    if element.properties.is_empty() || data.fixed_rows(element, |_| ())? {
-        return Ok(());
-    }
-    data.each_row(element, None, &mut RowSkipper(element))
-}
-
-/// Passes over rows.
-struct RowSkipper<'r>(&'r Element);
-
-impl RowReader for RowSkipper<'_> {
-    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
-        self.0.properties.iter().try_for_each(|property| skip_property(property, data))
     }
 }
 

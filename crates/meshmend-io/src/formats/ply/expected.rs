@@ -5,14 +5,14 @@
 
 use meshmend_core::{DraftError, Layer, Role, Values, counted};
 
-use crate::formats::ply::PlyShape;
-use crate::output::layers::elements;
+use crate::formats::ply::shape::PlyShape;
+use crate::output::layer_losses::elements;
 use crate::{AttributePrecision, Loss, LossKind, Prepared, WriteErrorKind};
 
 /// Which layers are to be as other programs expect them: doubles, which is what text formats give, of a known role, unless the
 /// file that the mesh comes from declares them so.
 pub(super) fn to_be_expected(prepared: &Prepared) -> Vec<bool> {
-    let shape = PlyShape::of(prepared);
+    let shape = prepared.shape::<PlyShape>();
     let is_declared = |layer: &Layer| shape.is_some_and(|shape| shape.declares(layer));
     let has_value = |layer: &Layer| (0..layer.element_count()).any(|at| layer.value_of(at).is_some());
     let is_known = |layer: &Layer| {

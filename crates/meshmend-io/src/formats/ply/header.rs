@@ -1,9 +1,10 @@
 //! The header: which elements there are, with which properties, and where their values begin.
 
+use crate::formats::ply::property_names::KNOWN_ELEMENTS;
 use crate::formats::ply::scalar::Scalar;
 use crate::input::assemble::Parts;
+use crate::input::source::Source;
 use crate::limits::DECLARATIONS;
-use crate::read::Source;
 use crate::text::{self, comment_text, shown};
 use crate::{Limits, Place, ReadError};
 
@@ -36,15 +37,6 @@ pub(super) struct Header {
     pub(super) elements: Vec<Element>,
     /// Where the values begin.
     pub(super) end: usize,
-}
-
-/// Whether a text surely begins as PLY: with its word on a line, and a statement on the next one.
-pub(super) fn sniff(bytes: &[u8]) -> bool {
-    const STATEMENTS: [&[u8]; 4] = [b"format", b"comment", b"obj_info", b"element"];
-    let start = &bytes[..bytes.len().min(1 << 12)];
-    let mut lines = start.split(|&b| text::is_line_end(b)).map(text::trimmed);
-    let second = |line: &[u8]| STATEMENTS.contains(&text::word(line, 0));
-    lines.next() == Some(b"ply") && lines.find(|line| !line.is_empty()).is_some_and(second)
 }
 
 /// Reads the header; comments go to the metadata of the parts.
@@ -122,7 +114,7 @@ impl HeaderReader<'_> {
             return Err(self.wrong(at, format!("`{}` is no number of elements", shown(count))));
         };
         let name = String::from_utf8_lossy(name).into_owned();
-        let is_known = super::read::KNOWN_ELEMENTS.contains(&name.as_str());
+        let is_known = KNOWN_ELEMENTS.contains(&name.as_str());
         if is_known && self.elements.iter().any(|element| element.name == name) {
             return Err(self.wrong(at, format!("a second element `{name}`")));
         }

@@ -5,8 +5,8 @@ use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values};
 use crate::formats::ply::columns::Columns;
 use crate::formats::ply::header::Element;
 use crate::formats::ply::layers::{interleaved, is_usual};
+use crate::formats::ply::property_names::{CORNER_PREFIX, GROUPS, Group, PROPERTY_NAMES};
 use crate::formats::ply::scalar::Scalar;
-use crate::formats::ply::{CORNER_PREFIX, GROUPS, Group, PROPERTY_NAMES};
 use crate::input::assemble::Parts;
 
 /// The list of a face that is a corner layer without saying so by its name.

@@ -2,7 +2,7 @@
 
 use meshmend_core::Values;
 
-use crate::formats::ply::{GROUPS, Group};
+use crate::formats::ply::property_names::{GROUPS, Group};
 
 /// Whether a group has the names that its layer gets when nothing is said of its names.
 pub(super) fn is_usual(group: &Group) -> bool {

@@ -8,7 +8,7 @@
 use meshmend_core::counted;
 
 use crate::formats::ply::header::{Element, Property};
-use crate::read::Source;
+use crate::input::source::Source;
 use crate::text::{self, is_blank, is_line_end, one_or_many};
 use crate::{ReadError, ReadErrorKind};
 

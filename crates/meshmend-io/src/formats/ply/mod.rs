@@ -24,9 +24,11 @@
 //! those of other formats in the types that are expected in a PLY.
 
 mod binary_values;
+mod carried;
 mod columns;
 mod data;
 mod expected;
+pub(crate) mod facts;
 mod header;
 mod interpret;
 mod layers;
@@ -35,6 +37,7 @@ mod listed;
 mod plan;
 mod prepare;
 mod property;
+mod property_names;
 mod read;
 mod rows;
 mod scalar;
@@ -45,41 +48,13 @@ mod types;
 mod usual_rows;
 mod write;
 
-pub(crate) use self::shape::PlyShape;
-use crate::Encoding;
-use crate::formats::format::Driver;
+use crate::formats::driver::Driver;
 
 pub(crate) static DRIVER: Driver = Driver {
-    name: "PLY",
-    extensions: &["ply"],
-    encodings: &[Encoding::LittleEndian, Encoding::BigEndian, Encoding::Ascii],
-    holds_polygons: true,
-    sniff: |head, _| header::sniff(head),
     read: read::read,
     read_blocks: read::read_blocks,
+    look_beside: Driver::names_no_files,
     prepare: prepare::prepare,
     encode: write::encode,
     losses: plan::losses,
 };
-
-/// Names that stand for one layer together.
-struct Group {
-    layer: &'static str,
-    members: &'static [&'static str],
-}
-
-/// The groups, a longer one before a shorter one of which it is an extension.
-const GROUPS: [Group; 6] = [
-    Group { layer: "normal", members: &["nx", "ny", "nz"] },
-    Group { layer: "color", members: &["red", "green", "blue", "alpha"] },
-    Group { layer: "color", members: &["red", "green", "blue"] },
-    Group { layer: "texcoord", members: &["s", "t"] },
-    Group { layer: "texcoord", members: &["u", "v"] },
-    Group { layer: "texcoord", members: &["texture_u", "texture_v"] },
-];
-
-/// The key of metadata that says which names a grouped layer's properties had, where not the usual ones.
-const PROPERTY_NAMES: &str = "ply-property";
-
-/// What a list property's name begins with when its values are those of the corners.
-const CORNER_PREFIX: &str = "corner_";

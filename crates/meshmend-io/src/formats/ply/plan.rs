@@ -7,13 +7,12 @@ use meshmend_core::{Domain, Layer, PolygonMesh, Values};
 
 use crate::formats::ply::layers::usual;
 use crate::formats::ply::property::{Property, Source};
+use crate::formats::ply::property_names::{CORNER_PREFIX, PROPERTY_NAMES};
 use crate::formats::ply::scalar::Scalar;
-use crate::formats::ply::shape::Declared;
+use crate::formats::ply::shape::{Declared, DeclaredProperty, PlyShape};
 use crate::formats::ply::types::{coordinate_types, corners_at_most, counting, fitting};
-use crate::formats::ply::{CORNER_PREFIX, PROPERTY_NAMES, PlyShape};
-use crate::output::layers::{
-    absent, absent_loss, layer_losses, losses_in, metadata_losses, one_line, point_loss,
-};
+use crate::output::layer_losses::{absent, absent_loss, layer_losses, losses_in, point_loss};
+use crate::output::statements::{metadata_losses, one_line};
 use crate::text::one_or_many;
 use crate::{Loss, LossKind, Prepared};
 
@@ -39,7 +38,7 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let mut losses = layer_losses(mesh, &plan.layers());
     losses.extend(losses_in(mesh, &plan.layers(), &[Domain::LooseEdge]));
     losses.extend(plan.losses);
-    losses.extend(PlyShape::of(prepared).map(|shape| shape.stale_losses(mesh)).unwrap_or_default());
+    losses.extend(prepared.shape::<PlyShape>().map(|shape| shape.stale_losses(mesh)).unwrap_or_default());
     losses.extend(point_loss(mesh));
     losses.extend(metadata_losses(mesh, &KEYS));
     let statements = mesh.metadata().iter().filter(|m| KEYS.contains(&m.kind()));
@@ -64,7 +63,7 @@ pub(super) fn header_line(value: &[u8]) -> Vec<u8> {
 
 impl<'a> Plan<'a> {
     pub(super) fn of(prepared: &'a Prepared) -> Self {
-        let (mesh, shape) = (&prepared.mesh, PlyShape::of(prepared));
+        let (mesh, shape) = (&prepared.mesh, prepared.shape::<PlyShape>());
         let mut planner = Planner::new(mesh, shape);
         mesh.layers().iter().for_each(|layer| planner.add(layer));
         let Planner { vertex, face, edge, losses, .. } = planner;
@@ -130,7 +129,7 @@ fn sort_as_declared(element: &mut Element<'_>, shape: &PlyShape) {
 }
 
 fn table_properties<'a>(declared: &'a Declared, columns: &'a [Layer]) -> Vec<Property<'a>> {
-    let property = |(property, layer): (&'a super::shape::DeclaredProperty, &'a Layer)| Property {
+    let property = |(property, layer): (&'a DeclaredProperty, &'a Layer)| Property {
         name: property.name.clone(),
         item: property.item,
         source: property.length.map_or(Source::Component(layer, 0), |length| Source::List(layer, length)),

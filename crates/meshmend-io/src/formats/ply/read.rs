@@ -2,23 +2,20 @@
 
 use std::io::{self, Read};
 
-use crate::formats::ply::PlyShape;
 use crate::formats::ply::binary_values::BinaryValues;
-use crate::formats::ply::columns::{Columns, skip};
+use crate::formats::ply::carried::{of_rows, skip};
+use crate::formats::ply::columns::Columns;
 use crate::formats::ply::data::Data;
 use crate::formats::ply::header::{self, Element, Form, Header};
 use crate::formats::ply::interpret::{ElementRows, edge_layers, face_layers, vertex_layers};
 use crate::formats::ply::rows::{EdgeRowReader, FaceRowReader, VertexRowReader};
+use crate::formats::ply::shape::PlyShape;
 use crate::formats::ply::strips::{Stitches, StripReader};
 use crate::formats::ply::text_values::TextValues;
 use crate::formats::ply::usual_rows::ParsedRows;
 use crate::input::assemble::Parts;
-use crate::read::{Parsed, Source};
-use crate::shell::Shape;
-use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
-
-/// The elements that are understood.
-pub(super) const KNOWN_ELEMENTS: [&str; 4] = ["vertex", "face", "tristrips", "edge"];
+use crate::input::source::{Parsed, Source};
+use crate::{Encoding, Format, Limits, NoteKind, Place, ReadError, Shell};
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let mut parts = Parts::default();
@@ -136,7 +133,7 @@ impl<'a> Reader<'a> {
     /// Keeps the rows of an element that is carried as it is.
     fn table(&mut self, message: &str, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
         self.note_skipped(message, element.count, element);
-        self.tables.push((self.element, Columns::of_rows(element, data)?));
+        self.tables.push((self.element, of_rows(element, data)?));
         Ok(())
     }
 
@@ -253,13 +250,13 @@ impl<'a> Reader<'a> {
         let tables = std::mem::take(&mut self.tables);
         let (mesh, notes) =
             self.parts.assemble(self.source, 0, |at| place_of(self.source, header.form, at))?;
-        let (variant, encoding) = match header.form {
-            Form::Ascii => ("ply-ascii", Encoding::Ascii),
-            Form::LittleEndian => ("ply-le", Encoding::LittleEndian),
-            Form::BigEndian => ("ply-be", Encoding::BigEndian),
+        let encoding = match header.form {
+            Form::Ascii => Encoding::Ascii,
+            Form::LittleEndian => Encoding::LittleEndian,
+            Form::BigEndian => Encoding::BigEndian,
         };
-        let shell = Shell::of_file(encoding, Shape::Ply(PlyShape::new(header, tables, &mesh)));
-        Ok(Parsed { mesh, variant, notes, shell })
+        let shell = Shell::of_file(Format::Ply, encoding, PlyShape::new(header, tables, &mesh));
+        Ok(Parsed { mesh, notes, shell })
     }
 }
 

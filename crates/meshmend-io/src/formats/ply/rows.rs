@@ -7,7 +7,7 @@ use crate::formats::ply::data::{Data, RowReader};
 use crate::formats::ply::header::{Element, Property};
 use crate::formats::ply::usual_rows::ParsedRows;
 use crate::input::assemble::Parts;
-use crate::read::Source;
+use crate::input::source::Source;
 use crate::{Limits, ReadError};
 
 /// Reads vertices.
@@ -138,18 +138,5 @@ impl FaceRowReader<'_, '_> {
             None => Ok(()),
             Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
         }
-    }
-}
-
-/// Reads the rows of an element that is carried as it is.
-pub(super) struct CarriedRowReader<'r> {
-    pub(super) element: &'r Element,
-    pub(super) columns: &'r mut Columns,
-}
-
-impl RowReader for CarriedRowReader<'_> {
-    fn row(&mut self, data: &mut impl Data) -> Result<(), ReadError> {
-        (0..self.element.properties.len())
-            .try_for_each(|column| self.columns.read(self.element, column, data))
     }
 }

@@ -5,14 +5,14 @@ use meshmend_core::{Layer, PolygonMesh, counted};
 use crate::formats::ply::columns::Columns;
 use crate::formats::ply::header::{Element, Header};
 use crate::formats::ply::listed::{Listed, Named};
+use crate::formats::ply::property_names::{CORNER_PREFIX, GROUPS};
 use crate::formats::ply::scalar::Scalar;
-use crate::formats::ply::{CORNER_PREFIX, GROUPS};
-use crate::shell::Shape;
-use crate::{Loss, LossKind, Prepared};
+use crate::shell::{Output, Shape};
+use crate::{Loss, LossKind};
 
 /// What a PLY file's writer chose.
 #[derive(Debug)]
-pub(crate) struct PlyShape {
+pub(super) struct PlyShape {
     pub(super) elements: Listed<Declared>,
     /// The mesh as it was stored, if a table names its vertices or faces by number.
     stored: Option<PolygonMesh>,
@@ -68,14 +68,6 @@ impl PlyShape {
         PlyShape { elements: Listed::new(elements), stored }
     }
 
-    /// The shape of the file that a mesh comes from, if that was a PLY.
-    pub(super) fn of(prepared: &Prepared) -> Option<&PlyShape> {
-        match prepared.shape() {
-            Some(Shape::Ply(shape)) => Some(shape),
-            _ => None,
-        }
-    }
-
     /// The declaration of an element.
     pub(super) fn element(&self, name: &str) -> Option<&Declared> {
         self.elements.find(name).map(|(_, element)| element)
@@ -89,18 +81,6 @@ impl PlyShape {
         let mut names = groups.flat_map(|group| group.members).copied().chain(own);
         let elements = ["vertex", "face"].map(|name| self.element(name));
         names.any(|name| elements.iter().flatten().any(|element| element.property(name).is_some()))
-    }
-
-    /// The loss of the elements that are carried as they are, in any other format.
-    pub(crate) fn table_losses(&self) -> Vec<Loss> {
-        let tables =
-            self.elements.all().iter().filter_map(|element| Some((element, element.table.as_ref()?)));
-        let loss = |(element, rows): (&Declared, &CarriedRows)| {
-            Loss::if_any(LossKind::Elements, rows.count, |count| {
-                format!("element `{}` of {}", element.name, counted(count, "row"))
-            })
-        };
-        tables.filter_map(loss).collect()
     }
 
     /// The tables that name vertices or faces by numbers which these no longer have.
@@ -161,5 +141,26 @@ impl Declared {
 impl PartialEq for PlyShape {
     fn eq(&self, other: &Self) -> bool {
         self.elements == other.elements
+    }
+}
+
+impl Shape for PlyShape {
+    fn is_same(&self, other: &dyn Shape) -> bool {
+        other.downcast() == Some(self)
+    }
+
+    /// The elements that are carried as they are, in any other format.
+    fn losses_in(&self, output: Output<'_>) -> Vec<Loss> {
+        if let Output::OfSameFormat(_) = output {
+            return Vec::new();
+        }
+        let tables =
+            self.elements.all().iter().filter_map(|element| Some((element, element.table.as_ref()?)));
+        let loss = |(element, rows): (&Declared, &CarriedRows)| {
+            Loss::if_any(LossKind::Elements, rows.count, |count| {
+                format!("element `{}` of {}", element.name, counted(count, "row"))
+            })
+        };
+        tables.filter_map(loss).collect()
     }
 }

@@ -12,7 +12,7 @@ use crate::formats::ply::columns::skip_property;
 use crate::formats::ply::data::{Data, RowReader};
 use crate::formats::ply::header::{Element, Property};
 use crate::input::assemble::Parts;
-use crate::read::Source;
+use crate::input::source::Source;
 
 /// Reads strips.
 pub(super) struct StripReader<'r, 'a> {

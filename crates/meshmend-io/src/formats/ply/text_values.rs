@@ -9,7 +9,7 @@ use crate::formats::ply::header::Element;
 use crate::formats::ply::line_check::LineCheck;
 use crate::formats::ply::scalar::Scalar;
 use crate::formats::ply::usual_rows::ParsedRows;
-use crate::read::Source;
+use crate::input::source::Source;
 use crate::text::speculative_parse::{SequentialReader, read_speculatively};
 use crate::text::{self, is_space, one_or_many};
 

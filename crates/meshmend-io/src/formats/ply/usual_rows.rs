@@ -4,7 +4,7 @@ use meshmend_core::{FaceTableBuilder, VertexId};
 
 use crate::formats::ply::header::{Element, Property};
 use crate::formats::ply::scalar::Scalar;
-use crate::input::assemble::MaxIndex;
+use crate::input::indices::MaxIndex;
 use crate::text::speculative_parse::UsualRows;
 use crate::text::usual_line::UsualLine;
 

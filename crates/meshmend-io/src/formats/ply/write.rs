@@ -7,7 +7,7 @@ use meshmend_core::{FaceId, Id, Layer, PolygonMesh, Values};
 use crate::formats::ply::plan::{Element, Plan, header_line};
 use crate::formats::ply::property::{Property, Source, corner_values};
 use crate::formats::ply::scalar::Scalar;
-use crate::output::layers::number;
+use crate::layers::number;
 use crate::output::sink::Sink;
 use crate::{Encoding, Prepared, WriteErrorKind};
 

@@ -12,9 +12,9 @@
 
 use meshmend_core::{Carry, Domain, FaceId, Layer, MeshError, NO_VALUE, PolygonMesh, Role, Values};
 
-use crate::formats::stl::{ATTRIBUTE, HEADER};
-use crate::note::Notes;
-use crate::output::layers::layer_of;
+use crate::formats::stl::form::{ATTRIBUTE, HEADER};
+use crate::input::notes::Notes;
+use crate::layers::layer_of;
 use crate::{NoteKind, Place};
 
 /// The elements to which colours are given.

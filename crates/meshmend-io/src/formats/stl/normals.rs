@@ -2,7 +2,7 @@
 //!
 //! A stored normal is not kept, but computed afresh where facets are written. So those that point elsewhere are counted.
 
-use crate::note::Notes;
+use crate::input::notes::Notes;
 use crate::{NoteKind, Place};
 
 /// 1 − the square of the cosine of the angle from which on two directions differ: a thousandth of a radian.

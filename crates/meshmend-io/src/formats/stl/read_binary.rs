@@ -5,22 +5,14 @@ use meshmend_core::{Carry, Domain, Layer, Metadata, Values, VertexId};
 use std::io::Read;
 
 use crate::binary::block_reader::BlockReader;
+use crate::formats::stl::colors;
+use crate::formats::stl::form::{ATTRIBUTE, FACET, HEAD, HEADER, claimed_length, little_endian};
 use crate::formats::stl::normals::Recomputed;
-use crate::formats::stl::{ATTRIBUTE, FACET, HEAD, HEADER, StlShape, colors};
+use crate::formats::stl::shape::StlShape;
 use crate::input::assemble::Parts;
-use crate::read::{Parsed, Source};
-use crate::shell::Shape;
+use crate::input::source::{Parsed, Source};
 use crate::text::one_or_many;
-use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
-
-/// How long the file would be if its count were right; nothing when it is too short to have a count.
-pub(super) fn claimed_length(bytes: &[u8]) -> Option<u64> {
-    bytes.get(HEAD - 4..HEAD).map(|count| HEAD as u64 + FACET as u64 * u64::from(little_endian(count)))
-}
-
-fn little_endian(bytes: &[u8]) -> u32 {
-    bytes.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
-}
+use crate::{Encoding, Format, Limits, NoteKind, Place, ReadError, Shell};
 
 pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) -> Result<Parsed, ReadError> {
     let count = checked_count(source)?;
@@ -58,8 +50,8 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
         parts.metadata.push(Metadata { key: HEADER.to_owned(), value: header[..length].to_vec() });
     }
     let (mesh, notes) = parts.assemble(source, 0, |at| Place::Byte(at as u64))?;
-    let shell = Shell::of_file(Encoding::LittleEndian, Shape::Stl(StlShape));
-    Ok(Parsed { mesh, variant: "stl-binary", notes, shell })
+    let shell = Shell::of_file(Format::Stl, Encoding::LittleEndian, StlShape);
+    Ok(Parsed { mesh, notes, shell })
 }
 
 /// How many facets there are, if they fit the count.

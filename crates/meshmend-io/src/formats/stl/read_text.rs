@@ -4,16 +4,16 @@ use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values, VertexId, 
 
 use std::collections::BTreeMap;
 
+use crate::formats::stl::form::SOLID;
 use crate::formats::stl::normals::{Recomputed, roughly};
+use crate::formats::stl::shape::StlShape;
 use crate::formats::stl::solid_names::SolidNames;
 use crate::formats::stl::usual_facets::UsualFacets;
-use crate::formats::stl::{SOLID, StlShape};
 use crate::input::assemble::Parts;
-use crate::read::{Parsed, Source};
-use crate::shell::Shape;
+use crate::input::source::{Parsed, Source};
 use crate::text::speculative_parse::{SequentialReader, read_speculatively};
 use crate::text::{self, is_space};
-use crate::{Encoding, Limits, NoteKind, Place, ReadError, Shell};
+use crate::{Encoding, Format, Limits, NoteKind, Place, ReadError, Shell};
 
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let at = text::text_start(source.bytes);
@@ -201,8 +201,8 @@ impl<'a> Reader<'a> {
         let source = self.source;
         self.recomputed.note(&mut self.parts.notes, |at| source.line(at));
         let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
-        let shell = Shell::of_file(Encoding::Ascii, Shape::Stl(StlShape));
-        Ok(Parsed { mesh, variant: "stl-ascii", notes, shell })
+        let shell = Shell::of_file(Format::Stl, Encoding::Ascii, StlShape);
+        Ok(Parsed { mesh, notes, shell })
     }
 
     /// Forgets solids without a facet; one that is alone is the file's own.

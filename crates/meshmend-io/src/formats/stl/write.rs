@@ -5,10 +5,13 @@ use std::io;
 use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId, counted};
 use meshmend_geometry::places::each_shared_place;
 
+use crate::formats::stl::form::{ATTRIBUTE, HEAD, HEADER, SOLID};
 use crate::formats::stl::normals::unit_normal;
-use crate::formats::stl::{ATTRIBUTE, HEAD, HEADER, SOLID, solid_names};
-use crate::output::layers::{absent, absent_loss, layer_losses, layer_of, loose_losses, metadata_losses};
+use crate::formats::stl::solid_names;
+use crate::layers::layer_of;
+use crate::output::layer_losses::{absent, absent_loss, layer_losses, loose_losses};
 use crate::output::sink::Sink;
+use crate::output::statements::metadata_losses;
 use crate::text::{one_or_many, trimmed};
 use crate::{Encoding, Format, Loss, LossKind, Prepared, WriteErrorKind};
 

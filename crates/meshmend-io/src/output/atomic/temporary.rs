@@ -12,8 +12,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use super::file_system::{Claim, FileSystem};
 use super::standing::Standing;
-use super::{Claim, FileSystem};
+use crate::paths::folder_of;
 
 /// A temporary file, removed when dropped.
 pub(super) struct Temporary<'a, S: FileSystem> {
@@ -137,7 +138,7 @@ fn random() -> u64 {
 /// The folder of a target, and what the names of its temporary files begin with.
 fn folder_and_stem(target: &Path) -> io::Result<(&Path, OsString)> {
     let name = target.file_name().ok_or_else(|| io::Error::from(io::ErrorKind::InvalidFilename))?;
-    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = folder_of(target);
     let mut stem = OsString::from(".");
     match name.to_str() {
         Some(name) => stem.push(name.chars().take(LONGEST_STEM / 4).collect::<String>()),

@@ -1,10 +1,13 @@
 //! Every step of replacing a file, and every step that can fail.
 
 use std::cell::Cell;
+use std::fs::File;
 use std::ops::Range;
 use std::rc::Rc;
 
 use super::*;
+use crate::output::atomic::file_system::Claim;
+use crate::output::atomic::temporary::SUFFIX;
 
 /// An empty folder that is removed again.
 struct Folder(PathBuf);
@@ -82,7 +85,7 @@ fn a_failed_first_write_leaves_nothing() {
 
 /// The name of a temporary file.
 fn temporary(target: &str, number: u64) -> String {
-    format!(".{target}.{number:016x}{}", temporary::SUFFIX)
+    format!(".{target}.{number:016x}{}", SUFFIX)
 }
 
 #[test]
@@ -90,7 +93,7 @@ fn what_a_killed_run_left_is_removed_and_what_a_live_one_writes_is_not() {
     let folder = Folder::new("debris");
     let (dead, live) = (temporary("mesh.obj", 1), temporary("mesh.obj", u64::MAX));
     let other_target = temporary("other.obj", 3);
-    let other_name = format!(".mesh.obj.1-0{}", temporary::SUFFIX);
+    let other_name = format!(".mesh.obj.1-0{}", SUFFIX);
     for name in [&dead, &live, &other_target, &other_name] {
         fs::write(folder.0.join(name), "debris").unwrap();
     }
@@ -149,7 +152,7 @@ fn modes_while_writing(folder: &Folder, path: &Path) -> Vec<u32> {
     use std::os::unix::fs::PermissionsExt;
     let mut modes = Vec::new();
     let mut look = || {
-        let names = folder.names().into_iter().filter(|name| name.ends_with(temporary::SUFFIX));
+        let names = folder.names().into_iter().filter(|name| name.ends_with(SUFFIX));
         modes.extend(
             names.map(|name| fs::metadata(folder.0.join(name)).unwrap().permissions().mode() & 0o7777),
         );

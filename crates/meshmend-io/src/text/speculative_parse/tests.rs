@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::*;
-use crate::read::Source;
+use crate::formats::drivers::driver;
+use crate::input::source::Source;
 use crate::{Format, Limits};
 
 /// Numbers in an order that is the same every time.
@@ -73,8 +74,10 @@ const ODDITIES: [Oddity; 5] = [
 /// What a reader says, down to the bits of each number.
 fn outcome(format: Format, text: &str, pace: Pace, limits: &Limits) -> String {
     let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace };
-    match (format.driver().read)(&source, limits) {
-        Ok(parsed) => format!("{:?} {} {:?}", parsed.mesh, parsed.variant, parsed.notes.into_list()),
+    match (driver(format).read)(&source, limits) {
+        Ok(parsed) => {
+            format!("{:?} {:?} {:?}", parsed.mesh, parsed.shell.encoding(), parsed.notes.into_list())
+        }
         Err(error) => format!("{error:?}"),
     }
 }
@@ -95,7 +98,7 @@ fn assert_as_alone(format: Format, text: &str, chunks: &[usize]) {
 fn limits_of(format: Format, text: &str) -> Vec<Limits> {
     let usual = Limits::default();
     let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace: Pace::NONE };
-    let Ok(parsed) = (format.driver().read)(&source, &usual) else { return vec![usual] };
+    let Ok(parsed) = (driver(format).read)(&source, &usual) else { return vec![usual] };
     let counts = parsed.mesh.counts();
     let corners = parsed.mesh.faces().corner_count() as u64;
     let [vertices, faces] = [counts.vertices, counts.faces].map(|count| count as u64);

@@ -5,17 +5,14 @@
 //! removed. A run that is killed may leave its temporary file behind; the next run that writes to the same target
 //! removes it.
 
-mod standing;
-mod temporary;
-
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use standing::Standing;
-use temporary::Temporary;
-
-pub use temporary::abandon_temporary_files;
+use super::disk::Disk;
+use super::file_system::FileSystem;
+use super::standing::Standing;
+use super::temporary::Temporary;
 
 /// Replaces a file by what a closure writes, or leaves it alone when the closure or the system fails.
 ///
@@ -40,63 +37,6 @@ pub fn replace_file<E: From<io::Error>>(
 /// file yet.
 pub fn target_of(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| end_of_links(path))
-}
-
-/// What it takes to put a new file in the place of an old one; apart, so that every step can be made to fail.
-trait FileSystem {
-    type File: Write;
-    /// Makes a file that is not there yet. If it is to stand for an old one, nobody else may read it.
-    fn create_new(&self, path: &Path, old: Option<&Standing>) -> io::Result<Self::File>;
-    fn claim(&self, file: &Self::File) -> Claim;
-    fn stand_for(&self, file: &Self::File, old: &Standing) -> io::Result<()>;
-    fn sync(&self, file: &Self::File) -> io::Result<()>;
-    fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
-    fn remove(&self, path: &Path) -> io::Result<()>;
-}
-
-/// Whose a new temporary file is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Claim {
-    /// Ours: others see that it is being written, as far as the file system has locks.
-    Ours,
-    /// Another run took it for debris before it was locked.
-    Lost,
-}
-
-/// The system's own files.
-struct Disk;
-
-impl FileSystem for Disk {
-    type File = File;
-
-    fn create_new(&self, path: &Path, old: Option<&Standing>) -> io::Result<File> {
-        let mut options = OpenOptions::new();
-        options.write(true).create_new(true);
-        if old.is_some() {
-            standing::only_for_us(&mut options);
-        }
-        options.open(path)
-    }
-
-    fn claim(&self, file: &File) -> Claim {
-        temporary::claim(file)
-    }
-
-    fn stand_for(&self, file: &File, old: &Standing) -> io::Result<()> {
-        old.give_to(file)
-    }
-
-    fn sync(&self, file: &File) -> io::Result<()> {
-        file.sync_all()
-    }
-
-    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
-        fs::rename(from, to)
-    }
-
-    fn remove(&self, path: &Path) -> io::Result<()> {
-        fs::remove_file(path)
-    }
 }
 
 fn replace_file_on<E: From<io::Error>>(
@@ -144,4 +84,5 @@ fn end_of_links(path: &Path) -> PathBuf {
 }
 
 #[cfg(test)]
+#[path = "tests.rs"]
 mod tests;

@@ -1,47 +1,8 @@
-//! What all writers ask about attribute layers, and how they name what they leave out.
+//! The losses of attribute layers and loose elements that a format leaves out.
 
-use std::borrow::Cow;
+use meshmend_core::{Domain, Layer, PolygonMesh, counted};
 
-use meshmend_core::{Domain, Layer, PolygonMesh, Values, counted};
-
-use crate::text::one_or_many;
 use crate::{Loss, LossKind};
-
-/// Whether a layer's values are numbers, not names or lists.
-pub(crate) fn is_numeric(layer: &Layer) -> bool {
-    !matches!(layer.values(), Values::Text(_) | Values::Lists { .. })
-}
-
-/// Whether a layer's values are numbers with a fraction.
-pub(crate) fn has_fractions(layer: &Layer) -> bool {
-    matches!(layer.values(), Values::F32(_) | Values::F64(_))
-}
-
-/// The first layer of a name and domain that is fit for a use.
-pub(crate) fn layer_of<'a>(
-    mesh: &'a PolygonMesh,
-    name: &str,
-    domain: Domain,
-    is_fit: impl Fn(&Layer) -> bool,
-) -> Option<&'a Layer> {
-    mesh.layers().iter().find(|layer| layer.name() == name && layer.domain() == domain && is_fit(layer))
-}
-
-/// A number of a pool; names and lists have none.
-#[inline]
-pub(crate) fn number(values: &Values, at: usize) -> f64 {
-    match values {
-        Values::I8(v) => f64::from(v[at]),
-        Values::U8(v) => f64::from(v[at]),
-        Values::I16(v) => f64::from(v[at]),
-        Values::U16(v) => f64::from(v[at]),
-        Values::I32(v) => f64::from(v[at]),
-        Values::U32(v) => f64::from(v[at]),
-        Values::F32(v) => f64::from(v[at]),
-        Values::F64(v) => v[at],
-        Values::Text(_) | Values::Lists { .. } => f64::NAN,
-    }
-}
 
 /// How many elements have no value in a layer.
 pub(crate) fn absent(layer: &Layer) -> usize {
@@ -104,32 +65,6 @@ pub(crate) fn elements(layer: &Layer) -> &'static str {
     }
 }
 
-/// The loss of statements with these keys that one line can't spell as they are.
-pub(crate) fn spelling_loss(mesh: &PolygonMesh, keys: &[&str]) -> Option<Loss> {
-    let written = mesh.metadata().iter().filter(|statement| keys.contains(&statement.kind()));
-    let other = written.filter(|statement| one_line(&statement.value)[..] != statement.value[..]).count();
-    Loss::if_any(LossKind::Names, other, |n| {
-        one_or_many(
-            n,
-            "statement about the file is spelled otherwise",
-            "statements about the file are spelled otherwise",
-        )
-    })
-}
-
-/// A loss for each kind of statement about the whole file that is not among those which are written.
-pub(crate) fn metadata_losses(mesh: &PolygonMesh, written: &[&str]) -> Vec<Loss> {
-    let mut keys: Vec<&str> = mesh.metadata().iter().map(|m| m.kind()).collect();
-    keys.retain(|key| !written.contains(key));
-    keys.sort_unstable();
-    let of_key = keys.chunk_by(|a, b| a == b);
-    let loss = |same: &[&str]| {
-        let message = format!("{} `{}` about the file", counted(same.len(), "statement"), same[0]);
-        Loss::new(LossKind::Metadata, same.len(), message)
-    };
-    of_key.map(loss).collect()
-}
-
 /// The loss of all loose edges and points.
 pub(crate) fn loose_losses(mesh: &PolygonMesh) -> Vec<Loss> {
     let edges = Loss::if_any(LossKind::LooseEdges, mesh.loose_edges().len(), |n| counted(n, "loose edge"));
@@ -139,15 +74,4 @@ pub(crate) fn loose_losses(mesh: &PolygonMesh) -> Vec<Loss> {
 /// The loss of all loose points.
 pub(crate) fn point_loss(mesh: &PolygonMesh) -> Option<Loss> {
     Loss::if_any(LossKind::LoosePoints, mesh.loose_points().len(), |n| counted(n, "loose point"))
-}
-
-/// A statement as one line that no reader continues on the next: without line ends, and not ending in `\`.
-pub(crate) fn one_line(value: &[u8]) -> Cow<'_, [u8]> {
-    let breaks = |byte: &u8| matches!(byte, b'\n' | b'\r' | 0);
-    if value.iter().any(breaks) || value.ends_with(b"\\") {
-        let mut line: Vec<u8> = value.iter().map(|b| if breaks(b) { b' ' } else { *b }).collect();
-        line.push(b' ');
-        return Cow::Owned(line);
-    }
-    Cow::Borrowed(value)
 }

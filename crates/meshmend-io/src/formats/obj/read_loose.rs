@@ -2,25 +2,9 @@
 
 use meshmend_core::{Carry, Domain, Layer, Values, VertexId};
 
-use crate::formats::obj::read::Reader;
-use crate::input::assemble::Uses;
+use crate::formats::obj::loose_parts::{END_TEXCOORD, LooseParts, POLYLINE};
+use crate::formats::obj::reader::Reader;
 use crate::{NoteKind, ReadError};
-
-/// The layer that tells which loose edges are one polyline.
-pub(super) const POLYLINE: &str = "polyline";
-
-/// The layer of the texture coordinates at the ends of loose edges; those at their starts are in `texcoord`.
-pub(super) const END_TEXCOORD: &str = "texcoord_end";
-
-/// What was read of loose elements beside the elements themselves.
-#[derive(Default)]
-pub(super) struct LooseParts {
-    /// Which polyline each edge belongs to, if there is one of several edges.
-    polylines: Vec<u32>,
-    polyline_count: u32,
-    has_long: bool,
-    texcoords: [Uses; 3],
-}
 
 /// A vertex of a loose element, with its texture coordinate.
 struct LooseVertex {

@@ -1,0 +1,39 @@
+//! What reads and writes one format.
+
+use std::io;
+use std::path::Path;
+
+use crate::input::source::{Parsed, Source};
+use crate::{Limits, Loss, Prepared, ReadError, ReadFile, WriteErrorKind};
+
+/// What a format's reader found, or why it gave up.
+pub(crate) type ReadResult = Result<Parsed, ReadError>;
+
+/// The functions of a format.
+pub(crate) struct Driver {
+    /// Reads a file of which all bytes are in memory.
+    pub(crate) read: fn(&Source<'_>, &Limits) -> ReadResult,
+    /// Reads a file of which only the start is in memory; the rest is read as it is needed. Returns `None`, having read
+    /// nothing, if the format needs the whole file.
+    pub(crate) read_blocks: fn(&Source<'_>, &mut dyn io::Read, &Limits) -> Option<ReadResult>,
+    /// Looks for the other files that a file at this path names.
+    pub(crate) look_beside: fn(ReadFile, &Path) -> ReadFile,
+    /// Turns a mesh into one that the format can hold, and names what that loses. A mesh that fits stays as it is.
+    pub(crate) prepare: fn(&mut Prepared) -> Result<(), WriteErrorKind>,
+    /// Writes a mesh.
+    pub(crate) encode: fn(&Prepared, &mut dyn io::Write) -> Result<(), WriteErrorKind>,
+    /// Names what else the file won't carry.
+    pub(crate) losses: fn(&Prepared) -> Vec<Loss>,
+}
+
+impl Driver {
+    /// For formats that need the whole file in memory.
+    pub(crate) fn needs_whole_file(_: &Source<'_>, _: &mut dyn io::Read, _: &Limits) -> Option<ReadResult> {
+        None
+    }
+
+    /// For formats whose files name no others.
+    pub(crate) fn names_no_files(file: ReadFile, _: &Path) -> ReadFile {
+        file
+    }
+}

@@ -1,0 +1,54 @@
+//! What an OBJ file's writer chose, and which other files the file names.
+
+use std::path::Path;
+
+use crate::formats::obj::companions::{self, Companions};
+use crate::shell::{Output, Shape};
+use crate::{Loss, Prepared, ReadFile, Shell};
+
+/// What an OBJ file's writer chose, and which other files the file names.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct ObjShape {
+    /// Whether colours have a fourth number. Most other programs misread a vertex of seven numbers, so the number is written
+    /// only where it was there.
+    pub(super) has_alpha: bool,
+    /// The files that the file names, if it names any that are there.
+    pub(super) companions: Option<Companions>,
+}
+
+impl ObjShape {
+    /// How many numbers of a colour are written: four where the mesh comes from an OBJ with four.
+    pub(super) fn color_width(prepared: &Prepared) -> usize {
+        match prepared.shape() {
+            Some(ObjShape { has_alpha: true, .. }) => 4,
+            _ => 3,
+        }
+    }
+}
+
+impl Shape for ObjShape {
+    fn is_same(&self, other: &dyn Shape) -> bool {
+        other.downcast() == Some(self)
+    }
+
+    fn losses_in(&self, output: Output<'_>) -> Vec<Loss> {
+        let loss = |companions| companions::loss(companions, output);
+        self.companions.as_ref().and_then(loss).into_iter().collect()
+    }
+}
+
+/// A file that was read from a path, with what there is to say about the files that it names.
+///
+/// *Cost*: constant for a file that names none; else that of reading its libraries.
+pub(super) fn look_beside(mut file: ReadFile, path: &Path) -> ReadFile {
+    let statements = file.mesh.metadata().iter().filter(|statement| statement.key == "mtllib");
+    let libraries: Vec<&[u8]> = statements.map(|statement| &statement.value[..]).collect();
+    let found = companions::look_for(&libraries, path);
+    file.notes.extend(found.notes);
+    file.notes.sort_by_key(|note| note.kind);
+    if let (companions @ Some(_), Some(encoding)) = (found.companions, file.shell.encoding()) {
+        let has_alpha = file.shell.shape().is_some_and(|shape: &ObjShape| shape.has_alpha);
+        file.shell = Shell::of_file(file.format, encoding, ObjShape { has_alpha, companions });
+    }
+    file
+}

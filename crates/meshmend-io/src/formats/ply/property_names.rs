@@ -1,0 +1,26 @@
+//! The names of elements and properties that have a meaning.
+
+/// The elements that are understood.
+pub(super) const KNOWN_ELEMENTS: [&str; 4] = ["vertex", "face", "tristrips", "edge"];
+
+/// Names that stand for one layer together.
+pub(super) struct Group {
+    pub(super) layer: &'static str,
+    pub(super) members: &'static [&'static str],
+}
+
+/// The groups, a longer one before a shorter one of which it is an extension.
+pub(super) const GROUPS: [Group; 6] = [
+    Group { layer: "normal", members: &["nx", "ny", "nz"] },
+    Group { layer: "color", members: &["red", "green", "blue", "alpha"] },
+    Group { layer: "color", members: &["red", "green", "blue"] },
+    Group { layer: "texcoord", members: &["s", "t"] },
+    Group { layer: "texcoord", members: &["u", "v"] },
+    Group { layer: "texcoord", members: &["texture_u", "texture_v"] },
+];
+
+/// The key of metadata that says which names a grouped layer's properties had, where not the usual ones.
+pub(super) const PROPERTY_NAMES: &str = "ply-property";
+
+/// What a list property's name begins with when its values are those of the corners.
+pub(super) const CORNER_PREFIX: &str = "corner_";

@@ -1,0 +1,18 @@
+//! The registry: one row a format.
+
+/// Hands the rows to another macro. From a row follow the enum's variant, the folder's module, and the format's place in
+/// sniffing, help texts, messages and tests.
+macro_rules! with_formats {
+    ($make:ident) => {
+        $make! {
+            /// Wavefront OBJ.
+            Obj => obj,
+            /// Polygon file format, also called Stanford triangle format.
+            Ply => ply,
+            /// Stereolithography: triangles without indices.
+            Stl => stl,
+            /// Object file format of Geomview.
+            Off => off,
+        }
+    };
+}

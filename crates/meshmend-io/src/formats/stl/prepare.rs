@@ -1,0 +1,19 @@
+//! What happens to a mesh before it is written as STL: positions are rounded, and polygons are cut.
+
+use meshmend_geometry::rounding::in_single_precision;
+
+use crate::formats::stl::triangles;
+use crate::{Encoding, Prepared, WriteErrorKind, rounding_losses};
+
+/// Rounds positions where they are stored in single precision, so that all else is about what will be read again, and cuts
+/// polygons into triangles.
+pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
+    let rounded =
+        if prepared.encoding == Encoding::Ascii { None } else { in_single_precision(&prepared.mesh) };
+    if let Some((mesh, rounding)) = rounded {
+        let vertices = mesh.counts().vertices;
+        prepared.mesh = mesh;
+        prepared.losses.extend(rounding_losses(rounding, vertices));
+    }
+    triangles::cut_polygons(prepared)
+}
