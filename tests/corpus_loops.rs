@@ -2,8 +2,10 @@
 //! were.
 
 use meshmend_core::{Connectivity, EdgeUse, PolygonMesh};
+use meshmend_cut::{CutAlong, cut_to_discs};
+use meshmend_geometry::edge_lengths;
 use meshmend_io::{ReadOptions, read};
-use meshmend_repair::{CutAlong, Pipeline, cut_to_discs, edge_lengths};
+use meshmend_repair::Pipeline;
 use meshmend_tests::corpus::{Entry, corpus};
 use meshmend_tests::each::assert_each;
 use meshmend_topology::{CoTree, GeneratorOptions, Roots, betti, components, generators, patches};

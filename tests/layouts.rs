@@ -1,8 +1,10 @@
 //! Real surfaces with handles, cut open and laid out: no face is flipped.
 
 use meshmend_core::PolygonMesh;
+use meshmend_cut::{CutAlong, cut_to_discs};
 use meshmend_flatten::{Boundary, Flatten, Weights, flatten};
-use meshmend_repair::{CutAlong, Pipeline, cut_to_discs, edge_lengths};
+use meshmend_geometry::edge_lengths;
+use meshmend_repair::Pipeline;
 use meshmend_tests::corpus::{Entry, corpus};
 use meshmend_topology::GeneratorOptions;
 

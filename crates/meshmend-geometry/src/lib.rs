@@ -1,17 +1,26 @@
-//! The geometry that repairs and writers share: it knows points, and nothing of passes or files.
+//! The geometry that repairs and writers share. It knows points and meshes, but neither passes nor files.
 //!
-//! [`FaceCutter`] cuts faces of a mesh into triangles; [`polygon`] cuts one polygon in space into triangles, or at its
-//! holes; [`words`] tells the simple loops of a face; [`vector`] is the arithmetic of points in doubles; [`sorting`] sorts
-//! by exact predicates, which may contradict themselves where numbers underflow; [`places`] tells which points are one;
-//! [`rounding`] tells what single precision does to points and faces.
+//! * Points: [`vector`] is their arithmetic in doubles, [`coincident`] tells which are at one place, [`proximity`] which
+//!   are within a distance, [`diagonal`] how large the box round them is, [`rounding`] what single precision does to them.
+//! * Faces: [`polygon`] cuts one polygon in space into triangles, or at its holes; [`words`] finds the simple loops of a
+//!   face; [`FaceCutter`] cuts the faces of a mesh into triangles.
+//! * Meshes: [`edge_lengths`], and [`SignedVolume`] for closed patches.
+//! * [`sorting`] sorts by exact predicates, which may contradict themselves where numbers underflow.
 
+mod bounds;
+pub mod coincident;
+mod edge_lengths;
 mod face_cutter;
-pub mod places;
 pub mod polygon;
+pub mod proximity;
 pub mod rounding;
+mod signed_volume;
 pub mod sorting;
 mod taken;
 pub mod vector;
 pub mod words;
 
+pub use bounds::diagonal;
+pub use edge_lengths::edge_lengths;
 pub use face_cutter::{FaceCutter, OnDiagonal, Room};
+pub use signed_volume::SignedVolume;

@@ -2,8 +2,8 @@
 
 use meshmend_core::{Id, PolygonMesh};
 
-use crate::places::{each_shared_place, place_bits};
-use crate::vector::{Point, area_vector, cross, dot, minus};
+use crate::coincident::each_shared_place;
+use crate::vector::{Point, area_vector, cross, dot, minus, place_bits};
 
 /// What rounding to single precision does to the faces of a mesh and the vertices that they use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

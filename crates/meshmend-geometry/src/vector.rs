@@ -3,6 +3,16 @@
 /// A point, or the vector from the origin to it.
 pub type Point = [f64; 3];
 
+/// Whether all coordinates of a point are finite.
+pub fn is_finite(point: &Point) -> bool {
+    point.iter().all(|x| x.is_finite())
+}
+
+/// A place as bits, −0 being 0.
+pub fn place_bits(point: Point) -> [u64; 3] {
+    point.map(|x| (x + 0.0).to_bits())
+}
+
 /// The vector from the second point to the first.
 pub fn minus(a: Point, b: Point) -> Point {
     std::array::from_fn(|i| a[i] - b[i])

@@ -11,10 +11,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use meshmend_geometry::places::place_bits;
-use meshmend_geometry::vector::Point;
-
-use crate::near::{Nearness, is_finite};
+use meshmend_geometry::proximity::Nearness;
+use meshmend_geometry::vector::{Point, is_finite, place_bits};
 
 /// How precisely the coordinates of a result are stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -10,11 +10,8 @@
 //! A [`Plan`] says the same in a file.
 
 mod clean;
-mod coincident;
 mod compact;
 mod copies;
-mod cut;
-mod edge_lengths;
 mod emptied;
 mod emptied_names;
 mod examined;
@@ -22,7 +19,6 @@ mod figures;
 mod fixed;
 mod free_points;
 mod matching;
-mod near;
 mod orient;
 mod pass;
 mod pipeline;
@@ -32,16 +28,10 @@ mod registry;
 mod split;
 mod telling;
 mod triangulate;
-mod volume;
 mod weld;
 
 pub use clean::{Clean, NonFinite, Repeated};
-pub use coincident::{Coincidence, coincident_in_single, coincident_vertices};
 pub use compact::{Compact, LooseElements};
-pub use cut::{
-    CutAlong, CutError, CutOpen, CutSeam, Discs, Piece, SquareCut, cut_open, cut_to_discs, cut_to_square,
-};
-pub use edge_lengths::edge_lengths;
 pub use emptied::{Emptied, Emptying, EmptyingCause};
 pub use emptied_names::{EmptiedName, emptied_names};
 pub use examined::Examined;

@@ -19,9 +19,9 @@ use meshmend_geometry::vector::Point;
 use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
 use serde::{Deserialize, Serialize};
 
-use crate::coincident::coincident_vertices;
 use crate::free_points::FreePoints;
 use crate::{Clearance, Context, Outcome, Pass, PassError, Unused};
+use meshmend_geometry::coincident::coincident_vertices;
 
 /// Cuts polygons into triangles without making an edge twice.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

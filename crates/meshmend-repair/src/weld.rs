@@ -19,10 +19,12 @@
 use std::borrow::Cow;
 
 use meshmend_core::{DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
+use meshmend_geometry::coincident::{coincident_in_single, coincident_vertices};
+use meshmend_geometry::proximity::{NoClasses, proximity_classes};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Fixed, Outcome, Pass, PassError, coincident_in_single, coincident_vertices, near};
+use crate::{Context, Fixed, Outcome, Pass, PassError};
 
 /// Joins vertices that are in the same place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -103,9 +105,9 @@ impl Weld {
 /// The diagonal of the box to which a relative distance refers. A vertex that nothing uses can't stretch it.
 fn diagonal(mesh: &PolygonMesh) -> f64 {
     if mesh.faces().corner_count() == 0 && mesh.loose_edges().is_empty() {
-        return near::diagonal(mesh.positions());
+        return meshmend_geometry::diagonal(mesh.positions());
     }
-    near::diagonal(&used_positions(mesh))
+    meshmend_geometry::diagonal(&used_positions(mesh))
 }
 
 /// The positions, those of vertices that no face and no loose edge uses being no numbers.
@@ -124,15 +126,30 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
     if epsilon == 0.0 {
         Ok(coincident_vertices(mesh))
     } else if epsilon.is_finite() && epsilon > 0.0 {
-        let classes = near::classes(mesh.positions(), epsilon, context);
-        let Err(PassError::Request { .. }) = classes else { return classes };
-        // Beside coordinates that are too large the distance can't be told. If no face has them, they are set aside.
-        match used_positions(mesh) {
-            Cow::Owned(used) => near::classes(&used, epsilon, context),
-            Cow::Borrowed(_) => classes,
-        }
+        let goes_on = || context.check_cancelled().is_ok();
+        let classes = proximity_classes(mesh.positions(), epsilon, goes_on);
+        let classes = match (&classes, used_positions(mesh)) {
+            // Beside coordinates that are too large the distance can't be told. If no face has them, they are set aside.
+            (Err(NoClasses::Unresolved { .. }), Cow::Owned(used)) => {
+                proximity_classes(&used, epsilon, goes_on)
+            }
+            _ => classes,
+        };
+        classes.map_err(|reason| not_told(epsilon, reason))
     } else {
         Err(PassError::Request { pass: "weld", reason: format!("a tolerance of {epsilon} is no distance") })
+    }
+}
+
+fn not_told(epsilon: f64, reason: NoClasses) -> PassError {
+    match reason {
+        NoClasses::Stopped => PassError::Cancelled,
+        NoClasses::Unresolved { extent } => {
+            let reason = format!(
+                "a tolerance of {epsilon:e} can't be resolved by coordinates as large as {extent:e}; weld exactly instead"
+            );
+            PassError::Request { pass: "weld", reason }
+        }
     }
 }
 

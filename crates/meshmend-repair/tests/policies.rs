@@ -124,7 +124,7 @@ fn created_vertices_do_not_coincide() {
     assert_eq!((repaired.provenance.created.len(), repaired.mesh.counts().faces), (3, 12));
     let created = [[0.5, 0.5, 0.0], [0.5, 1.0, 0.0], [1.0, 0.5, 0.0]];
     assert_eq!(repaired.mesh.positions()[4..], created, "the middle of a diagonal of each");
-    let lowest = meshmend_repair::coincident_vertices(&repaired.mesh);
+    let lowest = meshmend_geometry::coincident::coincident_vertices(&repaired.mesh);
     assert!(lowest.iter().zip(0..).all(|(low, v)| low.0 == v));
 }
 

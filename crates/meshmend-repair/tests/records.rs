@@ -136,7 +136,7 @@ fn a_created_vertex_keeps_away_from_one_at_minus_zero() {
     soup.positions.push([-0.0; 3]);
     let cut = alone(&Triangulate { faces: TriangulateFaces::All }, &soup).mesh;
     assert_eq!(cut.counts().vertices, 5 + 3);
-    let lowest = meshmend_repair::coincident_vertices(&cut);
+    let lowest = meshmend_geometry::coincident::coincident_vertices(&cut);
     assert!(lowest.iter().zip(0..).all(|(low, v)| low.0 == v), "{:?}", cut.positions());
 }
 

@@ -6,8 +6,9 @@ use std::iter;
 use meshmend_core::{
     Defect, DefectKind, Defects, Found, Listed, PolygonMesh, Rules, Severity, Sources, VertexId,
 };
+use meshmend_geometry::coincident::Coincidence;
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{Coincidence, Distance, Examined, PassError, Weld};
+use meshmend_repair::{Distance, Examined, PassError, Weld};
 use meshmend_topology::{TopologyReport, Witness};
 use serde::Serialize;
 

@@ -127,6 +127,7 @@ mod unfold;
 mod view;
 
 pub use meshmend_core as core;
+pub use meshmend_cut as cutting;
 #[cfg(feature = "flatten")]
 pub use meshmend_flatten as flatten;
 pub use meshmend_io as io;

@@ -1,8 +1,10 @@
 //! The closed paths that generate a surface, with lengths measured in space, and cutting along them.
 
 use meshmend_core::{Connectivity, PolygonMesh};
+use meshmend_cut::{CutAlong, CutError, Discs, cut_to_discs};
+use meshmend_geometry::edge_lengths;
 use meshmend_kernels::{KernelKind, KernelTask};
-use meshmend_repair::{CutAlong, CutError, Discs, PassError, cut_to_discs, edge_lengths};
+use meshmend_repair::PassError;
 use meshmend_topology::{CoTree, GeneratorError, GeneratorOptions, Generators, Measure, Roots, generators};
 use thiserror::Error;
 

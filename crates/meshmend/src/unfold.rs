@@ -1,8 +1,8 @@
 //! A mesh laid out in the plane, cut open first where it is no disc.
 
 use meshmend_core::{Carry, Domain, Layer, MeshError, PolygonMesh, Role, Values};
+use meshmend_cut::{CutAlong, Discs, cut_to_discs, cut_to_square};
 use meshmend_flatten::{Boundary, Flatten, FlattenError, Layout, flatten};
-use meshmend_repair::{CutAlong, Discs, cut_to_discs, cut_to_square};
 use thiserror::Error;
 
 use crate::{LoopError, LoopOptions};

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use meshmend::repair::CutAlong;
+use meshmend::cutting::CutAlong;
 use meshmend::report::CutDocument;
 use meshmend::{CutOptions, View, cut};
 

@@ -4,7 +4,7 @@ use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use clap::Args;
-use meshmend::repair::CutError;
+use meshmend::cutting::CutError;
 use meshmend::report::LoopsDocument;
 use meshmend::topology::{CoTree, GeneratorError, Measure, Roots};
 use meshmend::{LoopError, LoopOptions, VertexId, View, loops};

@@ -1,7 +1,7 @@
 //! The closed paths of surfaces, and a cut along them.
 
 use meshmend::core::counted;
-use meshmend::repair::CutAlong;
+use meshmend::cutting::CutAlong;
 use meshmend::report::{
     ComponentLoops, CutComponent, CutDocument, LoopDocument, LoopsDocument, SeamDocument,
 };

@@ -10,7 +10,7 @@ use meshmend_core::{Column, Connectivity, FaceId, Joined, PolygonMesh, SidedClas
 use super::cycles::{Cycles, Owners};
 use super::uses::Pair;
 use crate::matching::run_the_same_way;
-use crate::volume::SignedVolume;
+use meshmend_geometry::SignedVolume;
 
 /// How the side of a patch is chosen.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -20,7 +20,7 @@ use smallvec::SmallVec;
 use super::radial::{RadialUse, radial_order};
 use crate::copies::Copies;
 use crate::matching::{Matching, may_match, run_the_same_way};
-use crate::volume::SignedVolume;
+use meshmend_geometry::SignedVolume;
 
 /// Completes a matching at the edges where two or more uses are free.
 ///

@@ -1,8 +1,9 @@
 //! The documents of closed paths, and of a cut along them.
 
 use meshmend_core::{PolygonMesh, VertexId};
+use meshmend_cut::{CutAlong, CutSeam, Piece};
 use meshmend_io::{Loss, Note, ReadFile};
-use meshmend_repair::{CutAlong, CutSeam, Distance, Piece};
+use meshmend_repair::Distance;
 use meshmend_topology::{
     ComponentGenerators, Generator, GeneratorKind, Generators, GluingWord, Measure, surface_name,
 };

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::io;
 
 use meshmend_core::{FaceId, Id, PolygonMesh, VertexId, counted, distinct_count};
-use meshmend_geometry::places::{each_shared_place, place_bits};
+use meshmend_geometry::coincident::coincident_vertices;
 use meshmend_geometry::polygon::{Polygon, has_hole, simple_pieces};
-use meshmend_geometry::vector::Point;
+use meshmend_geometry::vector::{Point, place_bits};
 use meshmend_geometry::words::WordSplitter;
 use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
 
@@ -26,7 +26,7 @@ pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind
     if mesh.faces().is_all_triangles() || !mesh.faces().faces().any(is_polygon) {
         return Ok(());
     }
-    let lowest = lowest_in_place(mesh.positions());
+    let lowest = coincident_vertices(&mesh);
     let mut cutter = FaceCutter::new(&mesh, &lowest);
     let mut room = RoomBesideMesh { mesh: &mesh, encoding: prepared.encoding, taken: None, created: 0 };
     let mut simplifier = Simplifier { mesh: &mesh, lowest: &lowest, splitter: None, found: Found::default() };
@@ -43,19 +43,6 @@ pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind
     (prepared.mesh, prepared.record) = (mesh, Some(record));
     prepared.losses.extend(found.losses(created));
     Ok(())
-}
-
-/// For each vertex the lowest one at the same position; what is not finite equals nothing.
-fn lowest_in_place(positions: &[Point]) -> Vec<VertexId> {
-    let mut lowest: Vec<VertexId> = (0..positions.len()).map(VertexId::new).collect();
-    each_shared_place(
-        positions,
-        |_| true,
-        |place| {
-            place.iter().for_each(|&vertex| lowest[vertex] = VertexId::new(place[0]));
-        },
-    );
-    lowest
 }
 
 /// Faces as simple pieces.

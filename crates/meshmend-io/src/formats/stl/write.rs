@@ -3,7 +3,7 @@
 use std::io;
 
 use meshmend_core::{Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId, counted};
-use meshmend_geometry::places::each_shared_place;
+use meshmend_geometry::coincident::each_shared_place;
 
 use crate::formats::stl::form::{ATTRIBUTE, HEAD, HEADER, SOLID};
 use crate::formats::stl::normals::unit_normal;

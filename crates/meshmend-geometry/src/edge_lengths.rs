@@ -1,7 +1,7 @@
 //! How long is each edge?
 
+use crate::vector::{Point, dot, minus};
 use meshmend_core::{Column, EdgeId, PolygonMesh};
-use meshmend_geometry::vector::{Point, dot, minus};
 
 /// The distance between the ends of each edge of a mesh's complex; not finite where an end is not, or where it is too
 /// large for a double.

@@ -12,25 +12,18 @@
 //!
 //! Cubes are only compared while they are not joined already.
 
-mod ahead;
-mod pairs;
-mod places;
-
 use meshmend_core::{Id, VertexId};
 use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
-use crate::{Context, PassError};
-use ahead::{AHEAD, ROWS, ahead_in_row, reaches};
-pub(crate) use pairs::Nearness;
-use places::{Grid, InCell, Packed, Places, Spread, steps_between};
+use super::grid::{Grid, InCell, Packed, Places, REACH, Spread, steps_between};
+use super::nearness::Nearness;
+use super::neighbour_cells::{NEIGHBOURS_AHEAD, ROWS, ahead_in_row, reaches};
+use crate::bounds::bounds;
 
 /// The side of a cube in parts of the distance. Less than 1/√3, so that a cube's diagonal is within the distance, and
 /// more than 1/2, so that the distance is within two sides; both by more than what quotients are rounded by.
 const SIDE: f64 = 0.54;
-
-/// How many cubes apart along an axis near points may be.
-const REACH: i8 = 2;
 
 /// Quotients of this size have no fraction left to tell cubes apart reliably.
 const LARGEST_QUOTIENT: f64 = (1u64 << 48) as f64;
@@ -38,67 +31,43 @@ const LARGEST_QUOTIENT: f64 = (1u64 << 48) as f64;
 /// After so many cells a request to stop is looked for.
 const CELLS_BETWEEN_LOOKS: usize = 1 << 16;
 
+/// Why points were not put into classes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoClasses {
+    /// The distance is too small beside the coordinates for doubles to resolve it.
+    Unresolved {
+        /// The largest coordinate, without its sign.
+        extent: f64,
+    },
+    /// The caller asked to stop.
+    Stopped,
+}
+
 /// For each point the lowest one of its class: the connected components of "distance ≤ ε" among the finite points.
 ///
-/// *Cost*: sorting the points; some 40 bytes a point, 60 and more where few are near each other.
+/// ε is a positive number. From time to time the caller is asked whether to go on.
 ///
 /// # Errors
-/// When ε is so small beside the coordinates that doubles can't resolve it.
-pub(crate) fn classes(
+/// When ε is so small beside the coordinates that doubles can't resolve it, or when the caller does not go on.
+///
+/// *Cost*: sorting the points; some 40 bytes a point, 60 and more where few are near each other.
+pub fn proximity_classes(
     points: &[[f64; 3]],
     epsilon: f64,
-    context: &Context<'_>,
-) -> Result<Vec<VertexId>, PassError> {
+    goes_on: impl Fn() -> bool,
+) -> Result<Vec<VertexId>, NoClasses> {
     let side = epsilon * SIDE;
     let Some((low, high)) = bounds(points) else { return Ok((0..points.len()).map(VertexId::new).collect()) };
     let extent = low.iter().chain(&high).fold(0.0f64, |most, x| most.max(x.abs()));
     if side < f64::MIN_POSITIVE || extent / side > LARGEST_QUOTIENT {
-        let reason = format!(
-            "a tolerance of {epsilon:e} can't be resolved by coordinates as large as {extent:e}; weld exactly instead"
-        );
-        return Err(PassError::Request { pass: "weld", reason });
+        return Err(NoClasses::Unresolved { extent });
     }
     let (grid, near) = (Grid::of_side(side), Nearness::within(epsilon));
-    match Packed::between(grid, low, high) {
-        Some(places) => Cloud::new(points, near, places).classes(context),
-        None => Cloud::new(points, near, Spread(grid)).classes(context),
-    }
-}
-
-/// The bounding box's diagonal, finite points only; halved on the way so that it can't overflow early.
-pub(crate) fn diagonal(points: &[[f64; 3]]) -> f64 {
-    let Some((low, high)) = bounds(points) else { return 0.0 };
-    let half = |axis: usize| high[axis] / 2.0 - low[axis] / 2.0;
-    let diagonal = 2.0 * half(0).hypot(half(1)).hypot(half(2));
-    diagonal.min(f64::MAX)
-}
-
-/// Points of a piece of work.
-const CHUNK: usize = 1 << 14;
-
-/// The lowest and highest coordinates of the finite points, if there are any.
-fn bounds(points: &[[f64; 3]]) -> Option<([f64; 3], [f64; 3])> {
-    let none = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    let of_chunk = |points: &[[f64; 3]]| {
-        let (mut low, mut high) = none;
-        for point in points.iter().filter(|p| is_finite(p)) {
-            for axis in 0..3 {
-                low[axis] = low[axis].min(point[axis]);
-                high[axis] = high[axis].max(point[axis]);
-            }
-        }
-        (low, high)
+    let classes = match Packed::between(grid, low, high) {
+        Some(places) => Cloud::new(points, near, places).classes(goes_on),
+        None => Cloud::new(points, near, Spread(grid)).classes(goes_on),
     };
-    let joined = |a: ([f64; 3], [f64; 3]), b: ([f64; 3], [f64; 3])| {
-        (std::array::from_fn(|i| a.0[i].min(b.0[i])), std::array::from_fn(|i| a.1[i].max(b.1[i])))
-    };
-    let bounds = points.par_chunks(CHUNK).map(of_chunk).reduce(|| none, joined);
-    (bounds.0[0] <= bounds.1[0]).then_some(bounds)
-}
-
-/// Whether a point is somewhere.
-pub(crate) fn is_finite(point: &[f64; 3]) -> bool {
-    point.iter().all(|x| x.is_finite())
+    classes.ok_or(NoClasses::Stopped)
 }
 
 /// Points by cell and cube.
@@ -140,16 +109,17 @@ impl<'a, P: Places> Cloud<'a, P> {
         Cloud { near, places, points, firsts, order, cubes, cells, cell_cubes }
     }
 
-    fn classes(&self, context: &Context<'_>) -> Result<Vec<VertexId>, PassError> {
+    /// Returns `None` if the caller does not go on.
+    fn classes(&self, goes_on: impl Fn() -> bool) -> Option<Vec<VertexId>> {
         let mut joined = UnionFind::new(self.cubes.len() - 1);
         let mut rows = ROWS.map(|step| (step, 0));
         for (cell, &place) in self.cells.iter().enumerate() {
-            if cell % CELLS_BETWEEN_LOOKS == 0 {
-                context.check_cancelled()?;
+            if cell % CELLS_BETWEEN_LOOKS == 0 && !goes_on() {
+                return None;
             }
             self.join_within(cell, &mut joined);
             let cubes = &self.cubes[self.cubes_of(cell)];
-            let ahead = cubes.iter().fold(0, |ahead, &(at, _)| ahead | AHEAD[at as usize]);
+            let ahead = cubes.iter().fold(0, |ahead, &(at, _)| ahead | NEIGHBOURS_AHEAD[at as usize]);
             for (row, ([dx, dy], next)) in rows.iter_mut().enumerate() {
                 let mut steps = ahead_in_row(ahead, row).peekable();
                 if steps.peek().is_none() {
@@ -167,7 +137,7 @@ impl<'a, P: Places> Cloud<'a, P> {
                 }
             }
         }
-        Ok(self.lowest(&mut joined))
+        Some(self.lowest(&mut joined))
     }
 
     /// How many cells from this one on come before a place.
@@ -251,7 +221,7 @@ mod tests {
     use super::*;
 
     fn lowest(points: &[[f64; 3]], epsilon: f64) -> Vec<u32> {
-        classes(points, epsilon, &Context::default()).unwrap().iter().map(|v| v.0).collect()
+        proximity_classes(points, epsilon, || true).unwrap().iter().map(|v| v.0).collect()
     }
 
     /// The definition, pair by pair.
@@ -315,22 +285,14 @@ mod tests {
 
     #[test]
     fn a_tolerance_below_the_resolution_is_refused() {
-        assert!(classes(&[[1.0; 3]], 1e-20, &Context::default()).is_err());
-        assert!(classes(&[[0.0; 3]], f64::MIN_POSITIVE, &Context::default()).is_err());
+        assert!(proximity_classes(&[[1.0; 3]], 1e-20, || true).is_err());
+        assert!(proximity_classes(&[[0.0; 3]], f64::MIN_POSITIVE, || true).is_err());
     }
 
     #[test]
     fn coordinates_are_resolved_as_far_as_a_place_in_cubes_goes() {
         let largest = SIDE * LARGEST_QUOTIENT;
         assert_eq!(lowest(&[[largest, 0.0, 0.0], [largest - 1.0, 0.0, 0.0], [1.5; 3]], 1.0), [0, 0, 2]);
-        assert!(classes(&[[largest.next_up(), 0.0, 0.0]], 1.0, &Context::default()).is_err());
-    }
-
-    #[test]
-    fn the_diagonal_of_a_huge_box_is_finite() {
-        assert_eq!(diagonal(&[[-1e308; 3], [1e308; 3]]), f64::MAX);
-        assert_eq!(diagonal(&[[0.0; 3], [2.0, 3.0, 6.0], [f64::NAN; 3]]), 7.0);
-        assert_eq!(diagonal(&[[-1.0, 5.0, -4.0], [1.0, 2.0, 2.0]]), 7.0);
-        assert_eq!(diagonal(&[]), 0.0);
+        assert!(proximity_classes(&[[largest.next_up(), 0.0, 0.0]], 1.0, || true).is_err());
     }
 }

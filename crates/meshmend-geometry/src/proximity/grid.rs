@@ -26,6 +26,9 @@ pub(super) const PLACES: i8 = 8;
 pub(super) const CUBES: usize = 1 << CUBE_BITS;
 const CUBE_BITS: u32 = 9;
 
+/// How many cubes apart along an axis near points may be.
+pub(super) const REACH: i8 = 2;
+
 /// Points have so many parts at most: more would wait for memory by themselves.
 const MOST_PART_BITS: u32 = 11;
 /// And so many points are a part on average at least, if all fit words.

@@ -1,14 +1,13 @@
 //! Which cells beside its own a cube reaches.
 
-use super::REACH;
-use super::places::{CUBES, InCell, PLACES, in_cell};
+use super::grid::{CUBES, InCell, PLACES, REACH, in_cell};
 
 /// The rows of cells along z beside a cell, by their steps along x and y. The other half of the cells beside it, with those
 /// before it in its own row, find this one among theirs.
 pub(super) const ROWS: [[i8; 2]; 5] = [[0, 0], [0, 1], [1, -1], [1, 0], [1, 1]];
 
 /// For each cube of a cell which cells of these rows it reaches: three bits a row, from a step of −1 along z up.
-pub(super) const AHEAD: [u16; CUBES] = {
+pub(super) const NEIGHBOURS_AHEAD: [u16; CUBES] = {
     let mut ahead = [0; CUBES];
     let mut at = 0;
     while at < CUBES {
@@ -51,7 +50,7 @@ const fn reaches_along(place: i8, step: i8) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::places::steps_between;
+    use super::super::grid::steps_between;
     use super::*;
 
     #[test]
@@ -63,7 +62,7 @@ mod tests {
             let back = step.map(|x: i8| -x);
             let is_ahead_of_the_other = ROWS.iter().any(|row| row == &back[..2]) && back > [0; 3];
             assert_eq!(row.is_none(), is_ahead_of_the_other, "{step:?}");
-            for (at, &ahead) in AHEAD.iter().enumerate() {
+            for (at, &ahead) in NEIGHBOURS_AHEAD.iter().enumerate() {
                 let is_near = |other| {
                     let way = steps_between(at as InCell, other as InCell, step);
                     way.iter().all(|steps| steps.abs() <= REACH)

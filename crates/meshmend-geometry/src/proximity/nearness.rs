@@ -10,7 +10,7 @@ const FEW: usize = 64;
 
 /// A distance, and what is near by it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Nearness {
+pub struct Nearness {
     distance: f64,
     /// A squared length below this is near, and one above the other is not; between them rounding might decide, so the
     /// lengths are divided by the distance first. That alone is what says it where squares are not normal numbers.
@@ -19,7 +19,8 @@ pub(crate) struct Nearness {
 }
 
 impl Nearness {
-    pub(crate) fn within(distance: f64) -> Self {
+    /// What is within a distance, which is a positive number.
+    pub fn within(distance: f64) -> Self {
         let square = distance * distance;
         let (surely_near, surely_far) = if square.is_normal() {
             (square * (1.0 - 1e-12), square * (1.0 + 1e-12))
@@ -30,7 +31,7 @@ impl Nearness {
     }
 
     /// Whether two points are within the distance of each other.
-    pub(crate) fn are_near(&self, a: [f64; 3], b: [f64; 3]) -> bool {
+    pub fn are_near(&self, a: [f64; 3], b: [f64; 3]) -> bool {
         self.is_near([a[0] - b[0], a[1] - b[1], a[2] - b[2]])
     }
 

@@ -20,7 +20,8 @@ use meshmend_core::{
 };
 use meshmend_topology::{CoTree, GeneratorOptions, Roots, Surface, generators};
 
-use super::{CutError, CutOpen, CutSeam, cut_open};
+use crate::error::CutError;
+use crate::open::{CutOpen, CutSeam, cut_open};
 
 /// A torus that was cut open into a square.
 #[must_use]
@@ -44,7 +45,7 @@ const MOST_STARTS: usize = 64;
 ///
 /// ```
 /// # use meshmend_core::{FaceTable, PolygonMesh, VertexId};
-/// # use meshmend_repair::cut_to_square;
+/// # use meshmend_cut::cut_to_square;
 /// // The torus with seven vertices.
 /// let corners = (0..7).flat_map(|i| [i, (i + 1) % 7, (i + 3) % 7, i, (i + 3) % 7, (i + 2) % 7]);
 /// let faces = FaceTable::triangles(7, corners.map(VertexId).collect())?;

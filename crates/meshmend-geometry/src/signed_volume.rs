@@ -5,7 +5,7 @@ use meshmend_core::{CornerId, PolygonMesh};
 /// Adds up the signed volume of faces, six-fold, and how much rounding may have changed it.
 ///
 /// Volumes are taken against a point of the patch itself, so that a patch far from the origin keeps its digits.
-pub(crate) struct SignedVolume {
+pub struct SignedVolume {
     origin: Option<[f64; 3]>,
     total: f64,
     magnitude: f64,
@@ -13,12 +13,13 @@ pub(crate) struct SignedVolume {
 }
 
 impl SignedVolume {
-    pub(crate) fn new() -> Self {
+    /// Of no face yet.
+    pub fn new() -> Self {
         SignedVolume { origin: None, total: 0.0, magnitude: 0.0, terms: 0.0 }
     }
 
     /// Adds a face, as a fan from its first corner.
-    pub(crate) fn add_face(
+    pub fn add_face(
         &mut self,
         mesh: &PolygonMesh,
         corners: impl Iterator<Item = CornerId>,
@@ -53,7 +54,7 @@ impl SignedVolume {
     }
 
     /// The sign, where rounding leaves one: −1, 0 or 1.
-    pub(crate) fn sign(&self) -> i8 {
+    pub fn sign(&self) -> i8 {
         let error = f64::EPSILON * (self.terms + 8.0) * self.magnitude;
         if !(error.is_finite() && self.total.is_finite()) || self.total.abs() <= error {
             0

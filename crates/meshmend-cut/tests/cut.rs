@@ -8,7 +8,8 @@ use meshmend_core::{
     Carry, Column, Connectivity, Defect, DefectKind, Domain, EdgeId, EdgeUse, Layer, PolygonMesh, Values,
     VertexId,
 };
-use meshmend_repair::{CutAlong, CutError, CutOpen, Discs, cut_open, cut_to_discs, edge_lengths};
+use meshmend_cut::{CutAlong, CutError, CutOpen, Discs, cut_open, cut_to_discs};
+use meshmend_geometry::edge_lengths;
 use meshmend_testkit::Soup;
 use meshmend_testkit::shapes::{self, Closed, Shape, Tiles};
 use meshmend_topology::{

@@ -9,7 +9,8 @@ use meshmend_topology::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::{CutError, CutOpen, CutSeam, cut_open};
+use crate::error::CutError;
+use crate::open::{CutOpen, CutSeam, cut_open};
 
 /// Along what a mesh is cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -52,7 +53,7 @@ pub struct Piece {
 ///
 /// ```
 /// # use meshmend_core::{FaceTable, PolygonMesh, VertexId};
-/// # use meshmend_repair::{CutAlong, cut_to_discs};
+/// # use meshmend_cut::{CutAlong, cut_to_discs};
 /// // The torus with seven vertices.
 /// let corners = (0..7).flat_map(|i| [i, (i + 1) % 7, (i + 3) % 7, i, (i + 3) % 7, (i + 2) % 7]);
 /// let faces = FaceTable::triangles(7, corners.map(VertexId).collect())?;

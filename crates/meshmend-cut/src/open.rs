@@ -4,24 +4,16 @@
 //! vertex of its own in the same place. Faces and corners stay what they are, so every attribute stays where it is, and
 //! the two sides of a cut edge are known by their corners before and after.
 //!
-//! A cut is not a pass: it mends nothing, and what it makes is no better than what it is given.
-//!
 //! *Source*: A. Guéziec, G. Taubin, F. Lazarus, W. Horn, *Cutting and stitching: converting sets of polygons to
 //! manifold surfaces*, 2001.
 
 use meshmend_core::{
-    Classes, Column, Connectivity, CornerId, Defect, Draft, DraftError, EdgeClass, EdgeId, EdgeUse, FaceId,
+    Classes, Column, Connectivity, CornerId, Defect, Draft, EdgeClass, EdgeId, EdgeUse, FaceId,
     FaceTableBuilder, FaceTableError, Id, PolygonMesh, Provenance, Sources, VertexClass, VertexId,
     edge_class, umbrellas,
 };
-use meshmend_topology::{ComponentId, GeneratorError};
-use thiserror::Error;
 
-mod discs;
-mod square;
-
-pub use discs::{CutAlong, Discs, Piece, cut_to_discs};
-pub use square::{SquareCut, cut_to_square};
+use crate::error::CutError;
 
 /// A mesh that was cut along edges.
 #[must_use]
@@ -51,37 +43,11 @@ pub struct CutSeam {
     pub side_ends: [[VertexId; 2]; 2],
 }
 
-/// Why a mesh was not cut.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum CutError {
-    /// The mesh has no such edge.
-    #[error("{0} is no edge of the mesh")]
-    NoSuchEdge(EdgeId),
-    /// What was to be cut is no surface.
-    #[error("only a surface can be cut: {0}")]
-    NotManifold(Defect),
-    /// Only closed surfaces can be cut along generators.
-    #[error("only a closed surface is cut along its generators: {0} has a boundary")]
-    HasBoundary(ComponentId),
-    /// The generators can't be found.
-    #[error(transparent)]
-    Generators(#[from] GeneratorError),
-    /// A component did not become a disc: a mistake of this program.
-    #[error("{0} was cut and is no disc, which is a mistake of this program")]
-    NoDisc(ComponentId),
-    /// The result would have more elements than a mesh holds.
-    #[error(transparent)]
-    Table(#[from] FaceTableError),
-    /// The cut described a mesh that can't be: a mistake of this program.
-    #[error(transparent)]
-    Draft(#[from] DraftError),
-}
-
 /// Cuts a mesh along edges; boundary edges among them change nothing.
 ///
 /// ```
 /// # use meshmend_core::{EdgeId, FaceTable, PolygonMesh, VertexId};
-/// # use meshmend_repair::cut_open;
+/// # use meshmend_cut::cut_open;
 /// // A tetrahedron, cut along two of the edges of its lowest vertex.
 /// let faces = [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0].map(VertexId).to_vec();
 /// let mesh = PolygonMesh::new(vec![[0.0; 3]; 4], FaceTable::triangles(4, faces)?)?;

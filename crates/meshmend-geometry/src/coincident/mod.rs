@@ -1,0 +1,8 @@
+//! Which points are at one place.
+
+mod coincidence;
+mod equal_keys;
+mod shared_places;
+
+pub use coincidence::{Coincidence, coincident_in_single, coincident_vertices};
+pub use shared_places::each_shared_place;
