@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use meshmend::core::{FaceTableError, MeshError};
+use meshmend::mesh::{FaceTableError, MeshError};
 use meshmend::{LoopError, PassError, ReadError, Refusal, WriteError};
 use thiserror::Error;
 

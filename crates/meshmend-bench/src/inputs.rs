@@ -239,8 +239,8 @@ impl Raw {
 
 #[cfg(test)]
 mod tests {
-    use meshmend::repair::Context;
-    use meshmend::{CheckOptions, DefectKind, Distance, Pass, check, repair::Weld};
+    use meshmend::passes::Context;
+    use meshmend::{CheckOptions, DefectKind, Distance, Pass, check, passes::Weld};
 
     use super::*;
 

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::process::ExitCode;
 
-use meshmend::io::{Place, WriteErrorKind};
+use meshmend::formats::{Place, WriteErrorKind};
 use meshmend::{PassError, ReadError, WriteError};
 
 /// How a command ended. Of several pieces of work the worst counts.

@@ -9,7 +9,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use meshmend::Format;
-use meshmend::io::target_of;
+use meshmend::formats::target_of;
 
 use crate::failure::Failure;
 use crate::streams::is_stream;

@@ -5,7 +5,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use meshmend::repair::{
+use meshmend::passes::{
     Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, Repeated, Side, SplitEdges,
     TriangulateFaces,
 };

@@ -17,7 +17,7 @@ mod unix {
     use std::process;
     use std::thread;
 
-    use meshmend::io::abandon_temporary_files;
+    use meshmend::formats::abandon_temporary_files;
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
     use signal_hook::low_level::emulate_default_handler;

@@ -5,7 +5,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use meshmend::io::{Prepared, ReadErrorKind, WriteError, read_stream, replace_file};
+use meshmend::formats::{Prepared, ReadErrorKind, WriteError, read_stream, replace_file};
 use meshmend::{Format, Loss, PolygonMesh, ReadFile, ReadOptions, WriteOptions};
 
 use crate::console::Console;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::ValueEnum;
-use meshmend::io::AttributePrecision;
+use meshmend::formats::AttributePrecision;
 use meshmend::shapes::{GENERATORS, Generator};
 use meshmend::{
     DefectKind, Distance, Encoding, Format, KernelKind, ReadFile, Rules, Seams, View, WriteOptions,

@@ -52,7 +52,7 @@
 //! **Policies** are fields of the passes. A [`Pipeline`] runs passes in order; a [`Plan`] says the same in a file.
 //!
 //! ```
-//! use meshmend::repair::{Orient, Side};
+//! use meshmend::passes::{Orient, Side};
 //! use meshmend::{PassKind, Pipeline, Plan};
 //!
 //! let outward = Orient { side: Side::Outward, ..Orient::default() };
@@ -66,7 +66,7 @@
 //! chosen by name, and every kernel gives the same answers, or says everything that it can't hold.
 //!
 //! ```
-//! use meshmend::core::Connectivity;
+//! use meshmend::mesh::Connectivity;
 //! use meshmend::kernels::HalfEdge;
 //! # use meshmend::{FaceTable, PolygonMesh, VertexId};
 //! # let corners = [0, 1, 2, 0, 1, 3].map(VertexId).to_vec();
@@ -82,7 +82,7 @@
 //! **Kinds of defect** are rules, and a check takes further ones: all that is said of a kind is in one place.
 //!
 //! ```
-//! use meshmend::core::{Defects, Found, Id, Listed};
+//! use meshmend::mesh::{Defects, Found, Id, Listed};
 //! use meshmend::{CheckOptions, Defect, DefectKind, Element, PolygonMesh, Rule, Rules, Severity, VertexId, check};
 //! # use meshmend::FaceTable;
 //!
@@ -113,9 +113,9 @@
 //!
 //! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints.
 //!
-//! The parts are whole crates of their own, here under [`core`](mod@core), [`kernels`], [`topology`],
-//! [`repair`](mod@repair), [`io`] and [`shapes`]; what the main jobs need is also here at the top. With the feature
-//! `flatten` there is `unfold`, which lays a mesh out in the plane.
+//! The parts are whole crates of their own, here under [`mesh`], [`kernels`], [`topology`], [`geometry`], [`passes`],
+//! [`cutting`], [`formats`] and [`shapes`]; what the main jobs need is also here at the top. With the feature `flatten`
+//! there is `unfold`, which lays a mesh out in the plane.
 
 mod check;
 mod kernel_bench;
@@ -126,19 +126,20 @@ pub mod report;
 mod unfold;
 mod view;
 
-pub use meshmend_core as core;
+pub use meshmend_core as mesh;
 pub use meshmend_cut as cutting;
 #[cfg(feature = "flatten")]
 pub use meshmend_flatten as flatten;
-pub use meshmend_io as io;
+pub use meshmend_geometry as geometry;
+pub use meshmend_io as formats;
 pub use meshmend_kernels as kernels;
-pub use meshmend_repair as repair;
+pub use meshmend_repair as passes;
 pub use meshmend_shapes as shapes;
 pub use meshmend_topology as topology;
 
 pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check, check_before_repair};
 pub use kernel_bench::{KernelCost, KernelQuestion};
-pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, cut, loops};
+pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, PathOptions, cut, loops};
 pub use mend::repair;
 pub use meshmend_core::{
     CornerId, Defect, DefectKind, EdgeId, Element, FaceId, FaceTable, FaceTableBuilder, FlippedNormals, Id,

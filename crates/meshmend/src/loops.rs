@@ -17,6 +17,13 @@ pub struct LoopOptions {
     pub view: View,
     /// The kernel to compute on.
     pub kernel: KernelKind,
+    /// Which paths are wanted.
+    pub paths: PathOptions,
+}
+
+/// Which closed paths of a surface are wanted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PathOptions {
     /// Whether edges are measured in space or counted.
     pub measure: Measure,
     /// Whether any paths will do, or the shortest system at the root is wanted.
@@ -28,10 +35,12 @@ pub struct LoopOptions {
 /// How to cut surfaces open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CutOptions {
-    /// Along what.
+    /// Whether the mesh is taken as stored or as welded.
+    pub view: View,
+    /// Along what it is cut.
     pub along: CutAlong,
-    /// How to look for that; a cut is computed on the default kernel, whatever is said here.
-    pub loops: LoopOptions,
+    /// Along which paths.
+    pub paths: PathOptions,
 }
 
 /// The closed paths of a mesh's surfaces.
@@ -103,12 +112,12 @@ pub fn loops(mesh: &PolygonMesh, options: &LoopOptions) -> Result<LoopReport, Lo
 ///
 /// *Cost*: that of [`loops`].
 pub fn cut(mesh: &PolygonMesh, options: &CutOptions) -> Result<CutReport, LoopError> {
-    let before = options.loops.view.of(mesh)?;
-    let discs = options.loops.with_lengths(&before, |choice| cut_to_discs(&before, options.along, choice))?;
-    Ok(CutReport { view: options.loops.view, before, discs })
+    let before = options.view.of(mesh)?;
+    let discs = options.paths.with_lengths(&before, |choice| cut_to_discs(&before, options.along, choice))?;
+    Ok(CutReport { view: options.view, before, discs })
 }
 
-impl LoopOptions {
+impl PathOptions {
     /// Does some work with these options and the lengths of a mesh's edges.
     pub(crate) fn with_lengths<T>(
         &self,
@@ -128,6 +137,6 @@ struct Ask<'a> {
 impl KernelTask for Ask<'_> {
     type Output = Result<Generators, GeneratorError>;
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
-        self.options.with_lengths(self.mesh, |choice| generators(kernel, choice))
+        self.options.paths.with_lengths(self.mesh, |choice| generators(kernel, choice))
     }
 }

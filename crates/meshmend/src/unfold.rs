@@ -5,15 +5,17 @@ use meshmend_cut::{CutAlong, Discs, cut_to_discs, cut_to_square};
 use meshmend_flatten::{Boundary, Flatten, FlattenError, Layout, flatten};
 use thiserror::Error;
 
-use crate::{LoopError, LoopOptions};
+use crate::{LoopError, PathOptions, View};
 
 /// How to lay a mesh out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UnfoldOptions {
+    /// Whether the mesh is taken as stored or as welded.
+    pub view: View,
     /// Where the boundary goes, and what holds the other vertices.
     pub flatten: Flatten,
-    /// As what the mesh is taken, and how to look for a cut; the default kernel is used, whatever is said here.
-    pub loops: LoopOptions,
+    /// Along which paths a surface is cut that is not a disc.
+    pub paths: PathOptions,
 }
 
 /// A mesh with its layout.
@@ -68,7 +70,7 @@ const TEXCOORD: &str = "texcoord";
 ///
 /// *Cost*: that of [`loops`](crate::loops()) and of [`flatten`].
 pub fn unfold(mesh: &PolygonMesh, options: &UnfoldOptions) -> Result<Unfolded, UnfoldError> {
-    let before = options.loops.view.of(mesh).map_err(LoopError::from)?;
+    let before = options.view.of(mesh).map_err(LoopError::from)?;
     let (mesh, layout, opened_edges) = match flatten(&before, &options.flatten) {
         Err(FlattenError::NotADisc { .. }) => cut_and_flatten(&before, options)?,
         layout => (before.clone(), layout?, 0),
@@ -89,7 +91,7 @@ fn cut_and_flatten(
         let layout = flatten(&square.mesh, &request)?;
         return Ok((square.mesh, layout, square.seams.len()));
     }
-    let discs = options.loops.with_lengths(mesh, |choice| cut_to_discs(mesh, CutAlong::CutGraph, choice));
+    let discs = options.paths.with_lengths(mesh, |choice| cut_to_discs(mesh, CutAlong::CutGraph, choice));
     let Discs { mesh, seams, .. } = discs.map_err(LoopError::from)?;
     let layout = flatten(&mesh, &options.flatten)?;
     Ok((mesh, layout, seams.len()))

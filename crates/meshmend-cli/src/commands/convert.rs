@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use meshmend::io::{ColorElements, NoteKind, decode_stl_colors};
+use meshmend::formats::{ColorElements, NoteKind, decode_stl_colors};
 use meshmend::{Format, PolygonMesh, ReadFile, WriteOptions};
 
 use crate::console::Console;

@@ -68,9 +68,8 @@ impl Cut {
         let file = self.from.read(&self.input, console)?;
         let options = self.words.options_for(&self.output, &file)?;
         progress.step("cut");
-        let loops = self.loops.options(View::usual_for(file.format));
-        let report = cut(&file.mesh, &CutOptions { along, loops })
-            .map_err(|error| failure(&name(&self.input), error))?;
+        let cut_options = CutOptions { view: View::usual_for(file.format), along, paths: self.loops.paths() };
+        let report = cut(&file.mesh, &cut_options).map_err(|error| failure(&name(&self.input), error))?;
         progress.step("write");
         let mut document = CutDocument::new(&report, along, self.limit);
         document.file = Some(name(&self.input));

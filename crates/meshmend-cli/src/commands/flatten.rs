@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use meshmend::flatten::{Boundary, Flatten as Request, Weights, svg};
 use meshmend::report::UnfoldDocument;
-use meshmend::{LoopOptions, UnfoldError, UnfoldOptions, Unfolded, View, unfold};
+use meshmend::{UnfoldError, UnfoldOptions, Unfolded, View, unfold};
 
 use super::check::json_line;
 use super::loops;
@@ -77,8 +77,7 @@ impl Flatten {
         progress.step("flatten");
         let view = View::usual_for(file.format);
         let request = self.request();
-        let options =
-            UnfoldOptions { flatten: request, loops: LoopOptions { view, ..LoopOptions::default() } };
+        let options = UnfoldOptions { view, flatten: request, ..UnfoldOptions::default() };
         let unfolded = unfold(&file.mesh, &options).map_err(|error| failure(&name(&self.input), error))?;
         progress.step("write");
         let mut document = UnfoldDocument::new(&unfolded, &request, view, self.limit);

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use meshmend::core::{Complex, Connectivity};
+use meshmend::mesh::{Complex, Connectivity};
 use meshmend::report::{KernelTrial, KernelsDocument};
 use meshmend::{Format, KernelCost, KernelKind, KernelTask, PolygonMesh, View};
 

@@ -7,7 +7,7 @@ use clap::Args;
 use meshmend::cutting::CutError;
 use meshmend::report::LoopsDocument;
 use meshmend::topology::{CoTree, GeneratorError, Measure, Roots};
-use meshmend::{LoopError, LoopOptions, VertexId, View, loops};
+use meshmend::{LoopError, LoopOptions, PathOptions, VertexId, View, loops};
 
 use super::check::json_line;
 use crate::console::Console;
@@ -54,14 +54,12 @@ pub(super) struct LoopWords {
 }
 
 impl LoopWords {
-    pub(super) fn options(self, view: View) -> LoopOptions {
+    pub(super) fn paths(self) -> PathOptions {
         let root = self.root.map_or(Roots::Lowest, |vertex| Roots::At(VertexId(vertex)));
-        LoopOptions {
-            view,
+        PathOptions {
             measure: if self.hops { Measure::Hops } else { Measure::Length },
             co_tree: if self.greedy { CoTree::Greedy } else { CoTree::Lowest },
             roots: self.roots.map_or(root, Roots::Best),
-            ..LoopOptions::default()
         }
     }
 }
@@ -72,7 +70,8 @@ impl Loops {
         progress.step("read");
         let file = self.from.read(&self.file, console)?;
         progress.step("loops");
-        let options = self.words.options(View::usual_for(file.format));
+        let view = View::usual_for(file.format);
+        let options = LoopOptions { view, paths: self.words.paths(), ..LoopOptions::default() };
         let report = loops(&file.mesh, &options).map_err(|error| failure(&name(&self.file), error))?;
         let document = LoopsDocument::new(&report, self.limit).of_file(name(&self.file), &file);
         drop(progress);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use meshmend::core::counted;
+use meshmend::mesh::counted;
 use meshmend::{PolygonMesh, View};
 use meshmend_render::{
     Camera, Fit, LoopOverlays, Outlines, Overlay, OverlayKind, Picture, Projection, RenderError, Scene, Size,

@@ -4,8 +4,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use meshmend::io::{Prepared, held_layers, replace_file, rounding_losses};
-use meshmend::repair::{FaceStorage, Precision, Writing};
+use meshmend::formats::{Prepared, held_layers, replace_file, rounding_losses};
+use meshmend::passes::{FaceStorage, Precision, Writing};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
     CheckOptions, CheckReport, Encoding, Examined, Format, KernelKind, PassKind, Pipeline, Plan, PolygonMesh,

@@ -1,6 +1,6 @@
 //! What a check found.
 
-use meshmend::core::counted;
+use meshmend::mesh::counted;
 use meshmend::report::{CheckDocument, DefectGroup, PlacedDefect};
 use meshmend::topology::{ComponentKind, Reason, TopologyReport};
 use meshmend::{DefectKind, Distance, Severity};

@@ -1,6 +1,6 @@
 //! What a conversion did.
 
-use meshmend::core::counted;
+use meshmend::mesh::counted;
 use meshmend::{Loss, ReadFile};
 
 use super::{paragraph, printable};

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use meshmend::core::{Capabilities, counted};
+use meshmend::mesh::{Capabilities, counted};
 use meshmend::report::{KernelTrial, KernelsDocument};
 use meshmend::{KernelKind, KernelQuestion, Refusal};
 

@@ -1,7 +1,7 @@
 //! The closed paths of surfaces, and a cut along them.
 
-use meshmend::core::counted;
 use meshmend::cutting::CutAlong;
+use meshmend::mesh::counted;
 use meshmend::report::{
     ComponentLoops, CutComponent, CutDocument, LoopDocument, LoopsDocument, SeamDocument,
 };

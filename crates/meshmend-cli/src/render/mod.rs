@@ -31,7 +31,7 @@ pub(crate) use style::Style;
 #[cfg(feature = "flatten")]
 pub(crate) use unfolded::unfolded;
 
-pub(crate) use meshmend::core::printable;
+pub(crate) use meshmend::mesh::printable;
 use meshmend::report::Listing;
 use meshmend::{Defect, DefectKind};
 use std::collections::BTreeMap;

@@ -1,6 +1,6 @@
 //! What a picture shows, and what it does not.
 
-use meshmend::core::counted;
+use meshmend::mesh::counted;
 use meshmend_render::{Overlay, Picture, Scene};
 
 use super::{paragraph, printable};

@@ -1,8 +1,8 @@
 //! What a repair did: before and after side by side, pass by pass, what went, what is left.
 
-use meshmend::core::{Listed, counted};
-use meshmend::io::LossKind;
-use meshmend::repair::SeamFigures;
+use meshmend::formats::LossKind;
+use meshmend::mesh::{Listed, counted};
+use meshmend::passes::SeamFigures;
 use meshmend::report::{FigureChanges, NamedFace, PassDocument, RepairDocument};
 use meshmend::{DefectKind, Loss, PassKind, Severity};
 

@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 
-use meshmend::core::counted;
+use meshmend::mesh::counted;
 use meshmend::topology::Incremental;
 
 /// The size of each of the three plots, in user units, and what is round them.
@@ -115,7 +115,7 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use meshmend::core::{Connectivity, EdgeUse};
+    use meshmend::mesh::{Connectivity, EdgeUse};
     use meshmend::topology::{incremental, patches};
     use meshmend::{FaceTable, PolygonMesh, VertexId};
 

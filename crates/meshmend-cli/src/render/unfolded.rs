@@ -1,7 +1,7 @@
 //! A layout in the plane.
 
 use meshmend::FaceId;
-use meshmend::core::counted;
+use meshmend::mesh::counted;
 use meshmend::report::{Listing, UnfoldDocument};
 
 use super::{Style, paragraph, printable};

@@ -219,7 +219,7 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::*;
-    use crate::{CutOptions, LoopOptions, cut, loops};
+    use crate::{CutOptions, LoopOptions, PathOptions, cut, loops};
 
     /// The torus with seven vertices, a bow tie, and a triangle.
     fn mesh() -> PolygonMesh {
@@ -238,7 +238,10 @@ mod tests {
 
     #[test]
     fn each_component_has_its_loops_or_the_reason() {
-        let options = LoopOptions { measure: Measure::Hops, ..LoopOptions::default() };
+        let options = LoopOptions {
+            paths: PathOptions { measure: Measure::Hops, ..PathOptions::default() },
+            ..LoopOptions::default()
+        };
         let report = loops(&mesh(), &options).unwrap();
         let document = value(&LoopsDocument::new(&report, 10));
         let [torus, bow_tie, disc] = [0, 1, 2].map(|place| &document["components"][place]);
