@@ -5,6 +5,7 @@ use meshmend_core::{CornerId, PolygonMesh};
 /// Adds up the signed volume of faces, six-fold, and how much rounding may have changed it.
 ///
 /// Volumes are taken against a point of the patch itself, so that a patch far from the origin keeps its digits.
+#[derive(Clone, Debug, Default)]
 pub struct SignedVolume {
     origin: Option<[f64; 3]>,
     total: f64,
@@ -13,11 +14,6 @@ pub struct SignedVolume {
 }
 
 impl SignedVolume {
-    /// Of no face yet.
-    pub fn new() -> Self {
-        SignedVolume { origin: None, total: 0.0, magnitude: 0.0, terms: 0.0 }
-    }
-
     /// Adds a face, as a fan from its first corner.
     pub fn add_face(
         &mut self,

@@ -186,7 +186,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
     /// A piece of which `turned` is set has to be flipped if the answer is no, and the others if it is yes.
     fn chosen_side(&self, pieces: &[FaceId], known: &[Patch], turned: &[bool], whole: &Patch) -> bool {
         if self.sides == Sides::Outward && whole.free_uses == 0 && !whole.is_cut {
-            let mut volume = SignedVolume::new();
+            let mut volume = SignedVolume::default();
             for (&piece, turned) in pieces.iter().zip(turned) {
                 for face in ring(&self.next_member, piece) {
                     let is_flipped = self.is_flipped[face] ^ turned;
@@ -292,7 +292,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
 
     /// The volume that the patch of a root encloses.
     fn volume_of(&self, root: FaceId) -> SignedVolume {
-        let mut volume = SignedVolume::new();
+        let mut volume = SignedVolume::default();
         for face in ring(&self.next_member, root) {
             volume.add_face(self.mesh, self.kernel.face_corners(face), self.is_flipped[face]);
         }

@@ -67,7 +67,7 @@ impl PatchSides {
             sides.each_unbalanced_patch(kernel, edge, |patch| is_open[patch as usize] = true);
         }
         let mut volumes: Vec<Option<SignedVolume>> =
-            is_open.into_iter().map(|is_open| (!is_open).then(SignedVolume::new)).collect();
+            is_open.into_iter().map(|is_open| (!is_open).then(SignedVolume::default)).collect();
         for face in kernel.faces() {
             if let Some(volume) = &mut volumes[sides.patch[face] as usize] {
                 volume.add_face(mesh, kernel.face_corners(face), false);
