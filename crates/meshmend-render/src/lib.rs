@@ -12,33 +12,20 @@
 //! same, see [`Picture::write_svg`]. What differs in colour differs in dashes, width, hatching, a mark or a number
 //! too, so that pictures can be printed in grey. The same scenes give the same bytes.
 
-mod appearance;
-mod camera;
-mod canvas;
-mod chains;
 mod depth;
-mod draw;
-mod frame;
-mod layers;
-mod layout;
-mod legend;
-mod loops;
-mod occlusion;
-mod overlay;
-mod painting;
-mod panel;
-mod picture;
-mod raster;
-mod scene;
-mod shade;
-mod sight;
-mod survey;
-mod svg;
+mod look;
+mod output;
+mod panels;
+mod pictures;
+mod scenes;
 mod vector;
 
-pub use camera::{Camera, NoDirection, Projection};
-pub use loops::{LoopOverlays, MOST_GENERATORS, loops, seam};
-pub use overlay::{NoSuchElement, Overlay, OverlayKind};
-pub use picture::{Fit, Picture, RenderError, Size, contact_sheet, render};
-pub use scene::{Outlines, Scene};
-pub use survey::{boundary, components, inconsistent, non_manifold, witness};
+pub use pictures::contact_sheet::{Fit, contact_sheet, render};
+pub use pictures::error::RenderError;
+pub use pictures::picture::Picture;
+pub use pictures::size::Size;
+pub use scenes::camera::{Camera, NoDirection, Projection};
+pub use scenes::diagnostic_overlays::{boundary, components, inconsistent, non_manifold, witness};
+pub use scenes::loop_overlays::{LoopOverlays, MOST_GENERATORS, loops, seam};
+pub use scenes::overlay::{NoSuchElement, Overlay, OverlayKind};
+pub use scenes::scene::{Outlines, Scene};

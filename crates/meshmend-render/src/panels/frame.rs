@@ -1,6 +1,6 @@
 //! Fitting what is seen into a rectangle of the picture.
 
-use crate::camera::Camera;
+use crate::scenes::camera::Camera;
 use crate::vector::Vector;
 
 /// A rectangle of the picture, in pixels; y goes down.

@@ -2,8 +2,8 @@
 
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 
-use crate::appearance::{Colour, Ink, PAPER, mixed};
-use crate::sight::step_length;
+use crate::depth::visibility::step_length;
+use crate::look::appearance::{Colour, Ink, PAPER, mixed};
 
 /// A picture's pixels.
 pub(crate) struct Canvas {

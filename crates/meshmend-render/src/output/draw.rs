@@ -1,12 +1,12 @@
 //! What is drawn of a picture, in which order, on whatever can be drawn on.
 
-use crate::appearance::{BACK_SWATCH, Colour, FACE_OUTLINE, HATCHING, Ink, PAPER, TEXT};
-use crate::layers::{Label, Layer, Mark};
-use crate::layout::{CHARACTER, GAP, LINE, SWATCH};
-use crate::legend::{Shape, Swatch};
-use crate::panel::Panel;
-use crate::picture::Picture;
-use crate::sight::Polylines;
+use crate::depth::visibility::Polylines;
+use crate::look::appearance::{BACK_SWATCH, Colour, FACE_OUTLINE, HATCHING, Ink, PAPER, TEXT};
+use crate::look::legend::{Shape, Swatch};
+use crate::panels::layers::{Label, Layer, Mark};
+use crate::panels::panel::Panel;
+use crate::pictures::layout::{CHARACTER, GAP, LINE, SWATCH};
+use crate::pictures::picture::Picture;
 
 /// What can be drawn on; what comes later covers what came before.
 pub(crate) trait Sheet {

@@ -8,7 +8,7 @@
 
 use meshmend_core::FaceId;
 
-use crate::occlusion::{Nearness, Plane, TILE, Tiles};
+use crate::depth::occlusion::{Nearness, Plane, TILE, Tiles};
 use crate::vector::Vector;
 
 /// The nearest face at each sample, and how near it is.

@@ -1,6 +1,6 @@
 //! Which parts of a path are seen, and which are behind faces.
 
-use crate::depth::{DepthBuffer, NOTHING};
+use crate::depth::buffer::{DepthBuffer, NOTHING};
 use crate::vector::{Vector, add, scaled, subtract};
 
 /// Paths in the panel's pixels, as one list of points.

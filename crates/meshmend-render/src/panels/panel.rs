@@ -2,16 +2,16 @@
 
 use meshmend_core::{FaceId, Id, PolygonMesh, VertexId};
 
-use crate::appearance::{self, Side, Tone};
-use crate::depth::{DepthBuffer, NOTHING};
-use crate::frame::{Bounds, Frame, Rectangle};
-use crate::layers::{Label, Layer, Mark, View, entries, layers};
-use crate::legend::{Entry, Shape, Swatch};
-use crate::overlay::{Overlay, component_count};
-use crate::painting::paint_faces;
-use crate::scene::{Outlines, Scene};
-use crate::shade::{component_of_face, tones};
-use crate::sight::{Polylines, Sighted, length_in_panel};
+use crate::depth::buffer::{DepthBuffer, NOTHING};
+use crate::depth::painting::paint_faces;
+use crate::depth::visibility::{Polylines, Sighted, length_in_panel};
+use crate::look::appearance::{self, Side, Tone};
+use crate::look::legend::{Entry, Shape, Swatch};
+use crate::look::shade::{component_of_face, tones};
+use crate::panels::frame::{Bounds, Frame, Rectangle};
+use crate::panels::layers::{Label, Layer, Mark, View, entries, layers};
+use crate::scenes::overlay::{Overlay, component_count};
+use crate::scenes::scene::{Outlines, Scene};
 use crate::vector::Vector;
 
 /// A scene in its rectangle of the picture, ready to be written.

@@ -2,9 +2,9 @@
 
 use meshmend_core::{FaceId, Id, PolygonMesh};
 
-use crate::appearance::Side;
-use crate::depth::DepthBuffer;
-use crate::shade::side_of;
+use crate::depth::buffer::DepthBuffer;
+use crate::look::appearance::Side;
+use crate::look::shade::side_of;
 use crate::vector::Vector;
 
 /// Where faces cover a panel more often than this, they are sorted, so that most are found to be hidden.

@@ -3,12 +3,12 @@
 use meshmend_core::{EdgeId, FaceId, Id, PolygonMesh, VertexId};
 use meshmend_topology::OneSidedStrip;
 
-use crate::appearance::{self, Colour, Fill, Ink};
-use crate::chains::{Chains, Direction};
-use crate::depth::DepthBuffer;
-use crate::legend::{Entry, Shape, Swatch};
-use crate::overlay::{Overlay, component_count};
-use crate::sight::{Sighted, length_in_panel, places_along, places_every, step_length};
+use crate::depth::buffer::DepthBuffer;
+use crate::depth::visibility::{Sighted, length_in_panel, places_along, places_every, step_length};
+use crate::look::appearance::{self, Colour, Fill, Ink};
+use crate::look::legend::{Entry, Shape, Swatch};
+use crate::panels::edge_chains::{Chains, Direction};
+use crate::scenes::overlay::{Overlay, component_count};
 use crate::vector::{Vector, add, mean, scaled};
 
 /// A mesh as it lies in a panel.

@@ -2,8 +2,8 @@
 
 use meshmend_core::PolygonMesh;
 
-use crate::camera::Camera;
-use crate::overlay::Overlay;
+use crate::scenes::camera::Camera;
+use crate::scenes::overlay::Overlay;
 
 /// A mesh, what to show on it, and from where to look.
 ///

@@ -2,10 +2,10 @@
 
 use meshmend_core::{FaceId, Id, PolygonMesh};
 
-use crate::appearance::{Fill, Side, Tone};
-use crate::frame::Frame;
-use crate::overlay::Overlay;
-use crate::scene::Scene;
+use crate::look::appearance::{Fill, Side, Tone};
+use crate::panels::frame::Frame;
+use crate::scenes::overlay::Overlay;
+use crate::scenes::scene::Scene;
 use crate::vector::{Vector, add, cross, direction, dot, subtract};
 
 /// The light comes from the eye's upper left.

@@ -1,8 +1,8 @@
 //! Where things are in a picture: panels in a grid, a caption over each, a legend below all.
 
-use crate::frame::Rectangle;
-use crate::legend::Entry;
-use crate::picture::Size;
+use crate::look::legend::Entry;
+use crate::panels::frame::Rectangle;
+use crate::pictures::size::Size;
 
 /// The height of a line of text, in pixels.
 pub(crate) const LINE: f64 = 20.0;
@@ -95,7 +95,7 @@ pub(crate) fn arranged(entries: &[Entry], width: f64) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::legend::Swatch;
+    use crate::look::legend::Swatch;
 
     fn entries(count: usize) -> Vec<Entry> {
         (0..count).map(|k| Entry::new(Swatch::None, format!("entry {k}"))).collect()

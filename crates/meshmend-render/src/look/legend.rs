@@ -1,6 +1,6 @@
 //! What the lines, marks and colours of a picture mean.
 
-use crate::appearance::{Colour, Ink};
+use crate::look::appearance::{Colour, Ink};
 
 /// One line of a legend.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,29 +2,38 @@
 
 use std::io::{self, Write};
 
-use crate::appearance::{Colour, Ink, PAPER, TEXT};
-use crate::canvas::{Canvas, text_width};
-use crate::depth::NOTHING;
-use crate::draw::{Anchor, Sheet, draw};
-use crate::panel::Panel;
-use crate::picture::Picture;
-use crate::sight::Polylines;
+use crate::depth::buffer::NOTHING;
+use crate::depth::visibility::Polylines;
+use crate::look::appearance::{Colour, Ink, PAPER, TEXT};
+use crate::output::canvas::{Canvas, text_width};
+use crate::output::draw::{Anchor, Sheet, draw};
+use crate::panels::panel::Panel;
+use crate::pictures::picture::Picture;
 
-/// The colours of the pixels, row by row.
-pub(crate) fn pixels(picture: &Picture) -> Vec<Colour> {
-    let mut canvas = Canvas::new(picture.size.width() as usize, picture.size.height() as usize);
-    draw(picture, &mut canvas);
-    canvas.into_pixels()
-}
+impl Picture {
+    /// The colours of the pixels, row by row: red, green and blue.
+    ///
+    /// *Cost*: the samples, and the pixels that lines cover.
+    pub fn pixels(&self) -> Vec<[u8; 3]> {
+        let mut canvas = Canvas::new(self.size.width() as usize, self.size.height() as usize);
+        draw(self, &mut canvas);
+        canvas.into_pixels()
+    }
 
-/// Writes the pixels as PNG, eight bits a channel.
-pub(crate) fn write_png(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
-    let mut encoder = png::Encoder::new(out, picture.size.width(), picture.size.height());
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(pixels(picture).as_flattened())?;
-    Ok(writer.finish()?)
+    /// Writes the picture as PNG, eight bits a channel.
+    ///
+    /// # Errors
+    /// When writing fails.
+    ///
+    /// *Cost*: as [`pixels`](Self::pixels), and compressing them.
+    pub fn write_png(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut encoder = png::Encoder::new(out, self.size.width(), self.size.height());
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(self.pixels().as_flattened())?;
+        Ok(writer.finish()?)
+    }
 }
 
 impl Sheet for Canvas {
