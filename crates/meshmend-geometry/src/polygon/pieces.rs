@@ -11,9 +11,12 @@ use std::collections::BTreeSet;
 
 use meshmend_core::VertexId;
 
+use super::corners::{Polygon, Triangle};
+use super::cost::Avoid;
+use super::projection::{seen_along_an_axis, seen_along_the_normal};
+use super::triangulate::least_cost;
 use super::turning::ExactArea;
 use super::walks::walks;
-use super::{Avoid, Polygon, Triangle, least_cost, seen_along_an_axis, seen_along_the_normal};
 use crate::vector::{Point, area_vector};
 
 /// Whether a polygon that comes back to a vertex has a hole: whether one of its loops turns against the whole of it.

@@ -11,11 +11,10 @@
 
 use meshmend_core::VertexId;
 
-use super::Triangle;
+use super::corners::Triangle;
 use super::outline::{Edge, Outline};
+use super::sweep_chains::{Chain, Chains};
 use super::sweep_line::SweepLine;
-
-const NONE: u32 = u32::MAX;
 
 /// The triangles of a polygon in a plane that runs round its inside anticlockwise, each with its corners in the polygon's
 /// order; corners of one name stand at one vertex. Nothing if the polygon crosses itself.
@@ -24,42 +23,25 @@ const NONE: u32 = u32::MAX;
 pub(super) fn by_sweep(points: &[[f64; 2]], names: &[VertexId]) -> Option<Vec<Triangle>> {
     let outline = Outline::of(points, names)?;
     let mut sweep = Sweep {
-        chains: vec![None; outline.edge_count()],
         outline: &outline,
         line: SweepLine::default(),
-        nodes: Vec::new(),
-        triangles: Vec::with_capacity(points.len()),
+        strips: vec![None; outline.edge_count()],
+        chains: Chains::of(&outline),
     };
     for vertex in 0..outline.vertex_count() as u32 {
         sweep.pass(vertex)?;
     }
-    let are_in_order = sweep.triangles.iter().all(|[a, b, c]| a < b && b < c);
-    (are_in_order && sweep.triangles.len() + 2 == points.len()).then_some(sweep.triangles)
+    let triangles = sweep.chains.into_triangles();
+    let are_in_order = triangles.iter().all(|[a, b, c]| a < b && b < c);
+    (are_in_order && triangles.len() + 2 == points.len()).then_some(triangles)
 }
 
 struct Sweep<'a> {
     outline: &'a Outline,
     line: SweepLine,
     /// For each edge that the line crosses the chain of the strip above it, if that is inside.
-    chains: Vec<Option<Chain>>,
-    nodes: Vec<Node>,
-    triangles: Vec<Triangle>,
-}
-
-/// The corners that wait in a strip: its lowest and highest node, and the one furthest to the right.
-#[derive(Clone, Copy, Debug)]
-struct Chain {
-    low: u32,
-    high: u32,
-    rightmost: u32,
-}
-
-/// A corner in a chain, and the nodes below and above it.
-#[derive(Clone, Copy, Debug)]
-struct Node {
-    corner: usize,
-    below: u32,
-    above: u32,
+    strips: Vec<Option<Chain>>,
+    chains: Chains<'a>,
 }
 
 impl Sweep<'_> {
@@ -83,7 +65,7 @@ impl Sweep<'_> {
         }
         for (lower, upper) in starting.clone().zip(starting.clone().skip(1)) {
             if let Some(corner) = self.corner_between(outline.edge(lower), outline.edge(upper))? {
-                self.chains[lower as usize] = Some(self.single(corner));
+                self.strips[lower as usize] = Some(self.chains.single(corner));
             }
         }
         self.line.insert(place, starting);
@@ -111,10 +93,10 @@ impl Sweep<'_> {
         let corner = self.corner_between(outline.edge(highest), outline.edge(lowest))?;
         match (strip, corner) {
             (Some(strip), Some(corner)) => {
-                let chain = self.chains[strip as usize].take()?;
-                let [lower, upper] = self.part(chain, corner);
-                self.chains[strip as usize] = Some(lower);
-                self.chains[highest as usize] = Some(upper);
+                let chain = self.strips[strip as usize].take()?;
+                let [lower, upper] = self.chains.part(chain, corner);
+                self.strips[strip as usize] = Some(lower);
+                self.strips[highest as usize] = Some(upper);
                 Some(())
             }
             (None, None) => Some(()),
@@ -132,12 +114,8 @@ impl Sweep<'_> {
         if self.outline.next(arriving) != leaving {
             return None;
         }
-        let chain = self.chains[lower as usize].take()?;
-        let mut node = chain.low;
-        while self.above(node) != NONE {
-            self.emit([self.corner(node), leaving, self.corner(self.above(node))]);
-            node = self.above(node);
-        }
+        let chain = self.strips[lower as usize].take()?;
+        self.chains.close(chain, leaving);
         Some(())
     }
 
@@ -155,22 +133,22 @@ impl Sweep<'_> {
         let lower = match outline.edge(lowest).leftward {
             Some(leaving) => {
                 let strip = below.filter(|&edge| outline.edge(edge).rightward.is_some())?;
-                let chain = self.chains[strip as usize].take()?;
-                Some((strip, leaving, self.push_high(chain, leaving)))
+                let chain = self.strips[strip as usize].take()?;
+                Some((strip, leaving, self.chains.push_high(chain, leaving)))
             }
             None => None,
         };
         let upper = match outline.edge(highest).rightward {
             Some(arriving) => {
-                let chain = self.chains[highest as usize].take()?;
-                Some((next(arriving), self.push_low(chain, next(arriving))))
+                let chain = self.strips[highest as usize].take()?;
+                Some((next(arriving), self.chains.push_low(chain, next(arriving))))
             }
             None => None,
         };
         let (Some(first), Some(last)) = (first, last) else {
             return match (lower, upper) {
                 (Some((strip, leaving, lower)), Some((corner, upper))) if leaving == corner => {
-                    self.chains[strip as usize] = Some(self.join(lower, upper));
+                    self.strips[strip as usize] = Some(self.chains.join(lower, upper));
                     Some(())
                 }
                 (None, None) => Some(()),
@@ -179,133 +157,19 @@ impl Sweep<'_> {
         };
         match (lower, outline.edge(first).leftward) {
             (Some((strip, leaving, chain)), Some(arriving)) if next(arriving) == leaving => {
-                self.chains[strip as usize] = Some(chain);
+                self.strips[strip as usize] = Some(chain);
             }
             (None, None) => {}
             _ => return None,
         }
         match (upper, outline.edge(last).rightward) {
             (Some((corner, chain)), Some(leaving)) if corner == leaving => {
-                self.chains[last as usize] = Some(chain);
+                self.strips[last as usize] = Some(chain);
             }
             (None, None) => {}
             _ => return None,
         }
         Some(())
-    }
-}
-
-/// Chains.
-impl Sweep<'_> {
-    fn corner(&self, node: u32) -> usize {
-        self.nodes[node as usize].corner
-    }
-
-    fn below(&self, node: u32) -> u32 {
-        self.nodes[node as usize].below
-    }
-
-    fn above(&self, node: u32) -> u32 {
-        self.nodes[node as usize].above
-    }
-
-    fn node(&mut self, corner: usize) -> u32 {
-        self.nodes.push(Node { corner, below: NONE, above: NONE });
-        self.nodes.len() as u32 - 1
-    }
-
-    fn single(&mut self, corner: usize) -> Chain {
-        let node = self.node(corner);
-        Chain { low: node, high: node, rightmost: node }
-    }
-
-    fn link(&mut self, lower: u32, upper: u32) {
-        self.nodes[lower as usize].above = upper;
-        self.nodes[upper as usize].below = lower;
-    }
-
-    fn emit(&mut self, mut triangle: Triangle) {
-        let least = if triangle[0] < triangle[1].min(triangle[2]) {
-            0
-        } else {
-            1 + usize::from(triangle[2] < triangle[1])
-        };
-        triangle.rotate_left(least);
-        self.triangles.push(triangle);
-    }
-
-    /// Whether a corner on the right sees the side of a chain between two corners, one above the other.
-    fn sees(&self, corner: usize, lower: u32, upper: u32) -> bool {
-        self.outline.turn_at([self.corner(lower), corner, self.corner(upper)]) > 0.0
-    }
-
-    /// Cuts off what a corner sees of a chain from a node on down; gives the node at which that ends.
-    fn cut_down(&mut self, corner: usize, mut node: u32) -> u32 {
-        while self.below(node) != NONE && self.sees(corner, self.below(node), node) {
-            self.emit([self.corner(self.below(node)), corner, self.corner(node)]);
-            node = self.below(node);
-        }
-        node
-    }
-
-    /// Cuts off what a corner sees of a chain from a node on up; gives the node at which that ends.
-    fn cut_up(&mut self, corner: usize, mut node: u32) -> u32 {
-        while self.above(node) != NONE && self.sees(corner, node, self.above(node)) {
-            self.emit([self.corner(node), corner, self.corner(self.above(node))]);
-            node = self.above(node);
-        }
-        node
-    }
-
-    fn push_high(&mut self, chain: Chain, corner: usize) -> Chain {
-        let below = self.cut_down(corner, chain.high);
-        let node = self.node(corner);
-        self.link(below, node);
-        Chain { low: chain.low, high: node, rightmost: node }
-    }
-
-    fn push_low(&mut self, chain: Chain, corner: usize) -> Chain {
-        let above = self.cut_up(corner, chain.low);
-        let node = self.node(corner);
-        self.link(node, above);
-        Chain { low: node, high: chain.high, rightmost: node }
-    }
-
-    /// Parts a chain at a corner within its strip, which is joined to the corner furthest to the right.
-    fn part(&mut self, chain: Chain, corner: usize) -> [Chain; 2] {
-        let up = self.cut_up(corner, chain.rightmost);
-        let down = self.cut_down(corner, chain.rightmost);
-        // The node at which both stop is in both chains.
-        let (up, high) = if up == down {
-            let copy = self.node(self.corner(up));
-            match self.above(up) {
-                NONE => (copy, copy),
-                above => {
-                    self.link(copy, above);
-                    (copy, chain.high)
-                }
-            }
-        } else {
-            (up, chain.high)
-        };
-        let (lower, upper) = (self.node(corner), self.node(corner));
-        self.link(down, lower);
-        self.link(upper, up);
-        [
-            Chain { low: chain.low, high: lower, rightmost: lower },
-            Chain { low: upper, high, rightmost: upper },
-        ]
-    }
-
-    /// One chain of two, the lower of which ends at the corner at which the upper one begins.
-    fn join(&mut self, lower: Chain, upper: Chain) -> Chain {
-        match self.above(upper.low) {
-            NONE => lower,
-            above => {
-                self.link(lower.high, above);
-                Chain { low: lower.low, high: upper.high, rightmost: lower.high }
-            }
-        }
     }
 }
 
