@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::ValueEnum;
 use meshmend::formats::AttributePrecision;
-use meshmend::shapes::{GENERATORS, Generator};
+use meshmend::shapes::{NAMED_SHAPES, NamedShape};
 use meshmend::{
     DefectKind, Distance, Encoding, Format, KernelKind, ReadFile, Rules, Seams, View, WriteOptions,
 };
@@ -71,9 +71,9 @@ pub(crate) fn defect_kind(rules: Rules, word: &str) -> Result<DefectKind, Failur
 }
 
 /// Reads the name of a shape.
-pub(crate) fn shape(word: &str) -> Result<&'static Generator, String> {
-    Generator::from_name(word).ok_or_else(|| {
-        let names: Vec<&str> = GENERATORS.iter().map(|generator| generator.name).collect();
+pub(crate) fn shape(word: &str) -> Result<&'static NamedShape, String> {
+    NamedShape::from_name(word).ok_or_else(|| {
+        let names: Vec<&str> = NAMED_SHAPES.iter().map(|shape| shape.name).collect();
         format!("the shapes are {}", names.join(", "))
     })
 }

@@ -3,8 +3,8 @@
 //!
 //! *Source*: U. Pinkall, K. Polthier, *Computing discrete minimal surfaces and their conjugates*, 1993.
 
-use crate::FlattenError;
 use crate::discs::{Discs, norm};
+use crate::error::FlattenError;
 use crate::laplacian::Laplacian;
 
 /// Half the sum of the cotangents across each edge.

@@ -5,7 +5,7 @@ use meshmend_topology::{
     Side, boundary_loops, component_facts, components, non_simple_faces, patches, surface_name,
 };
 
-use crate::FlattenError;
+use crate::error::FlattenError;
 
 /// Components that are all discs; a *node* is a vertex of the mesh, or the centre of a polygon.
 #[derive(Debug)]

@@ -12,7 +12,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
 
-use crate::FlattenError;
+use crate::error::FlattenError;
 
 /// The edges of a triangulation, each once, and the structure of the equations over its free nodes.
 #[derive(Debug)]

@@ -1,11 +1,11 @@
 //! What is asked of a layout, what it is, and how it is made.
 
 use meshmend_core::{FaceId, PolygonMesh, VertexId};
-use thiserror::Error;
 
 use crate::boundary_placement::{Cell, Outline, corners_by_length, rim_points};
 use crate::cotangents::cotangents;
 use crate::discs::Discs;
+use crate::error::FlattenError;
 use crate::flat::Flat;
 use crate::laplacian::Laplacian;
 use crate::orientation::bad_faces;
@@ -65,44 +65,6 @@ pub struct Layout {
     pub collapsed: Vec<FaceId>,
     /// How often the edges were weighted anew.
     pub rounds: usize,
-}
-
-/// Why there is no layout.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum FlattenError {
-    /// A component is not a disc, and only discs can be laid out.
-    #[error("the component of {vertex} is {}: only a disc can be laid out, so cut it open first", name.as_deref().unwrap_or("no surface"))]
-    NotADisc {
-        /// Its lowest vertex.
-        vertex: VertexId,
-        /// What the surface is called, if it is one.
-        name: Option<String>,
-    },
-    /// A face comes back to a vertex.
-    #[error("{face} comes back to a vertex, so it can't be laid out; clean the mesh first")]
-    NonSimpleFace {
-        /// The face.
-        face: FaceId,
-    },
-    /// A boundary is too short for a square, or has not the corners that were asked for.
-    #[error("the boundary at {vertex} has not the four vertices that a square needs")]
-    NoSquare {
-        /// Its lowest vertex.
-        vertex: VertexId,
-    },
-    /// A face has an angle without a cotangent.
-    #[error("{face} has no area in space, or a point that is not finite, so there are no cotangents")]
-    NoCotangent {
-        /// The face.
-        face: FaceId,
-    },
-    /// The equations have no solution in doubles.
-    #[error("the equations of the layout have no solution in doubles")]
-    NoRest,
-    /// There is not enough memory.
-    #[error("there is not enough memory for the equations")]
-    OutOfMemory,
 }
 
 /// Reweighting goes on as long as one of this many rounds in a row leaves fewer bad faces than any before.

@@ -28,6 +28,7 @@
 mod boundary_placement;
 mod cotangents;
 mod discs;
+mod error;
 mod flat;
 mod laplacian;
 mod layout;
@@ -36,5 +37,6 @@ mod reweighting;
 mod svg;
 mod untangle;
 
-pub use layout::{Boundary, Flatten, FlattenError, Layout, Weights, flatten};
+pub use error::FlattenError;
+pub use layout::{Boundary, Flatten, Layout, Weights, flatten};
 pub use svg::svg;

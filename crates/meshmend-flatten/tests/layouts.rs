@@ -5,7 +5,7 @@
 use meshmend_core::{FaceId, FaceTableBuilder, Id, PolygonMesh, VertexId};
 use meshmend_flatten::{Boundary, Flatten, FlattenError, Layout, Weights, flatten, svg};
 use meshmend_shapes::{
-    Closed, GENERATORS, Shape, Sizes, annulus, bow_tie, disc, fan, out_and_back, polygon, strip, surface,
+    Closed, NAMED_SHAPES, Shape, Sizes, annulus, bow_tie, disc, fan, out_and_back, polygon, strip, surface,
     torus,
 };
 
@@ -110,7 +110,8 @@ fn a_single_face_is_a_regular_polygon() {
 
 /// Every disc of the catalogue, closed ones with a hole cut in, in quads and triangles, coarse and fine.
 fn discs() -> Vec<Shape> {
-    let mut shapes: Vec<Shape> = GENERATORS.iter().map(|one| one.make(&Sizes::default()).unwrap()).collect();
+    let mut shapes: Vec<Shape> =
+        NAMED_SHAPES.iter().map(|one| one.make(&Sizes::default()).unwrap()).collect();
     shapes.extend((1..=4).map(|n| surface(Closed::Handles(0), 1, n).unwrap()));
     shapes.extend((1..=9).flat_map(|n| [fan(n).unwrap(), strip(n).unwrap(), disc(n, 3).unwrap()]));
     shapes.retain(|shape| shape.truth.genus == Some(0) && shape.truth.boundary_loops == Some(1));

@@ -41,7 +41,7 @@ fn assert_true(shape: &Shape) {
 /// Shapes of every kind in small sizes.
 fn small() -> Vec<Shape> {
     let mut shapes: Vec<Shape> =
-        GENERATORS.iter().map(|generator| generator.make(&Sizes::default()).unwrap()).collect();
+        NAMED_SHAPES.iter().map(|generator| generator.make(&Sizes::default()).unwrap()).collect();
     for n in 1..=4 {
         shapes.extend([book(n), nested_pages(n), umbrellas(n), fan(n), strip(n)].map(Result::unwrap));
         shapes.extend([polygon(n + 2), wrapped_disc(n), foam(n, 2, 1), disc(n, 3)].map(Result::unwrap));
@@ -147,17 +147,17 @@ fn a_pentagon_of_the_dodecahedron_is_flat_and_regular() {
 
 #[test]
 fn names_are_found_and_are_unlike() {
-    let names: BTreeSet<_> = GENERATORS.iter().map(|generator| generator.name).collect();
-    assert_eq!(names.len(), GENERATORS.len());
-    for generator in GENERATORS {
-        assert_eq!(Generator::from_name(generator.name).unwrap().name, generator.name);
+    let names: BTreeSet<_> = NAMED_SHAPES.iter().map(|generator| generator.name).collect();
+    assert_eq!(names.len(), NAMED_SHAPES.len());
+    for generator in NAMED_SHAPES {
+        assert_eq!(NamedShape::from_name(generator.name).unwrap().name, generator.name);
     }
-    assert!(Generator::from_name("teapot").is_none());
+    assert!(NamedShape::from_name("teapot").is_none());
 }
 
 #[test]
 fn sizes_are_those_that_are_given() {
-    let make = |name: &str, sizes: Sizes| Generator::from_name(name).unwrap().make(&sizes);
+    let make = |name: &str, sizes: Sizes| NamedShape::from_name(name).unwrap().make(&sizes);
     let book = make("book", Sizes { count: Some(9), ..Sizes::default() }).unwrap();
     assert_eq!(book.truth.faces, 9);
     let torus = make("torus", Sizes { resolution: Some(5), ..Sizes::default() }).unwrap();
@@ -171,7 +171,7 @@ fn sizes_are_those_that_are_given() {
 
 #[test]
 fn what_cannot_be_made_is_refused() {
-    let make = |name: &str, sizes: Sizes| Generator::from_name(name).unwrap().make(&sizes).unwrap_err();
+    let make = |name: &str, sizes: Sizes| NamedShape::from_name(name).unwrap().make(&sizes).unwrap_err();
     let none = Sizes::default();
     let wrong = make("cube", Sizes { genus: Some(1), ..none });
     assert_eq!(wrong.to_string(), "`cube` has no genus");
@@ -195,7 +195,7 @@ fn what_cannot_be_made_is_refused() {
 #[test]
 fn the_too_large_is_refused_before_it_is_made() {
     let huge = [1 << 31, 1 << 40, usize::MAX];
-    for (generator, size) in GENERATORS.iter().flat_map(|generator| huge.map(|size| (generator, size))) {
+    for (generator, size) in NAMED_SHAPES.iter().flat_map(|generator| huge.map(|size| (generator, size))) {
         for (parameter, _) in generator.parameters() {
             let mut sizes = Sizes::default();
             match parameter {
@@ -215,7 +215,7 @@ fn the_too_large_is_refused_before_it_is_made() {
 /// What would be too large after all refinements is refused before the first.
 #[test]
 fn too_many_refinements_are_refused_before_the_first() {
-    for generator in GENERATORS {
+    for generator in NAMED_SHAPES {
         let shape = generator.make(&Sizes::default()).unwrap();
         for times in [15, 16, 31, 32, 40, 63, 64, 1 << 20, 1 << 32, usize::MAX] {
             let refused = shape.refined_times(times).unwrap_err();

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use meshmend::Format;
-use meshmend::shapes::{Generator, Shape, ShapeError, Sizes};
+use meshmend::shapes::{NamedShape, Shape, ShapeError, Sizes};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -19,7 +19,7 @@ use crate::words::{self, OutputWords};
 pub(crate) struct Make {
     /// Which shape; `--list` names them all
     #[arg(value_name = "SHAPE", value_parser = words::shape, required_unless_present = "list")]
-    shape: Option<&'static Generator>,
+    shape: Option<&'static NamedShape>,
     /// The file to write; `-` is standard output
     #[arg(short, long, value_name = "OUT", required_unless_present = "list")]
     output: Option<PathBuf>,
@@ -61,7 +61,7 @@ struct SizeWords {
 
 impl Make {
     pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let (Some(generator), Some(output)) = (self.shape, &self.output) else {
+        let (Some(named), Some(output)) = (self.shape, &self.output) else {
             console.write(&render::shapes(console.style()))?;
             return Ok(Status::Done);
         };
@@ -70,8 +70,7 @@ impl Make {
         let needs_triangles = self.triangles || options.format == Some(Format::Stl);
         let progress = console.progress(2);
         progress.step("make");
-        let shape =
-            self.shape(generator, needs_triangles).map_err(|error| Failure::usage(error.to_string()))?;
+        let shape = self.shape(named, needs_triangles).map_err(|error| Failure::usage(error.to_string()))?;
         progress.step("write");
         let losses = write_mesh(output, &shape.mesh, &options, console)?;
         drop(progress);
@@ -79,9 +78,9 @@ impl Make {
         Ok(Status::Done)
     }
 
-    fn shape(&self, generator: &Generator, in_triangles: bool) -> Result<Shape, ShapeError> {
+    fn shape(&self, named: &NamedShape, in_triangles: bool) -> Result<Shape, ShapeError> {
         let SizeWords { resolution, count, genus, cross_caps, holes } = self.sizes;
-        let shape = generator.make(&Sizes { resolution, count, genus, cross_caps, holes })?;
+        let shape = named.make(&Sizes { resolution, count, genus, cross_caps, holes })?;
         let shape = shape.refined_times(self.refine)?;
         if in_triangles { shape.triangulated() } else { Ok(shape) }
     }

@@ -1,19 +1,19 @@
 //! Shapes with known answers.
 
 use meshmend::Loss;
-use meshmend::shapes::{GENERATORS, Generator, Shape};
+use meshmend::shapes::{NAMED_SHAPES, NamedShape, Shape};
 
 use super::table::{self, Align};
 use super::{Style, figure, paragraph, printable, yes_no};
 
 /// The list of shapes with their sizes.
 pub(crate) fn shapes(style: Style) -> String {
-    let row = |generator: &Generator| {
-        let sizes = generator.parameters();
+    let row = |shape: &NamedShape| {
+        let sizes = shape.parameters();
         let sizes: Vec<String> = sizes.iter().map(|(size, usual)| format!("--{size} {usual}")).collect();
-        vec![generator.name.to_owned(), generator.summary.to_owned(), sizes.join(" ")]
+        vec![shape.name.to_owned(), shape.summary.to_owned(), sizes.join(" ")]
     };
-    let rows: Vec<Vec<String>> = GENERATORS.iter().map(row).collect();
+    let rows: Vec<Vec<String>> = NAMED_SHAPES.iter().map(row).collect();
     let lines = table::lines(&rows, &[]);
     paragraph(&style.heading("shapes, with the sizes that they have unless others are given"), lines)
         .trim_start()

@@ -2,11 +2,12 @@
 
 use meshmend_core::{Column, Connectivity, EdgeId, Id};
 
+use super::error::GeneratorError;
 use super::forest::Forest;
+use super::generator::{ComponentGenerators, Generator, GeneratorKind, LoopSystem, Path};
 use super::surfaces::Surfaces;
 use super::transport::Transport;
 use super::trees::{Ground, Trees};
-use super::{ComponentGenerators, Generator, GeneratorError, GeneratorKind, LoopSystem, Path};
 use crate::{ComponentId, Surface};
 
 /// All components with their generators.

@@ -10,9 +10,10 @@
 
 use meshmend_core::{Column, Connectivity, Defect, EdgeId, VertexId};
 
+use super::error::GeneratorError;
+use super::options::GeneratorOptions;
 use super::surfaces::Surfaces;
 use super::trees::{Ground, Trees};
-use super::{GeneratorError, GeneratorOptions};
 use crate::{ComponentFacts, ComponentId, Surface};
 
 /// The edges along which all surfaces of a mesh open into discs.

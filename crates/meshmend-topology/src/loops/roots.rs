@@ -4,7 +4,7 @@ use std::num::NonZeroU32;
 
 use meshmend_core::{Column, Connectivity, Id, VertexId};
 
-use super::GeneratorError;
+use super::error::GeneratorError;
 use super::surfaces::Surfaces;
 use crate::ComponentId;
 

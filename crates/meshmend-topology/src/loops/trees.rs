@@ -5,11 +5,12 @@ use std::num::NonZeroU32;
 use meshmend_core::{Column, Connectivity, EdgeId, VertexId};
 
 use super::co_tree::{CoTree, Dual};
+use super::error::GeneratorError;
 use super::forest::Forest;
+use super::options::GeneratorOptions;
 use super::roots::{RootChoice, Roots, lowest_roots, roots_with, spread_roots};
 use super::surfaces::Surfaces;
 use super::weights::Weights;
-use super::{GeneratorError, GeneratorOptions};
 use crate::ComponentId;
 
 /// Where trees grow: a mesh with what is known of it, and the length of its edges.

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use meshmend_core::{Column, Connectivity, EdgeId};
 use serde::Serialize;
 
-use super::GeneratorError;
+use super::error::GeneratorError;
 use super::surfaces::Surfaces;
 use crate::ComponentId;
 

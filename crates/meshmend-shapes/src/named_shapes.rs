@@ -1,7 +1,6 @@
 //! The shapes that a user may ask for by name.
 
-use std::fmt;
-
+use crate::parameter::Parameter;
 use crate::{
     Closed, Shape, ShapeError, annulus, book, bow_tie, cube, disc, dodecahedron, dunce_hat, dycks_surface,
     fan, foam, icosahedron, klein_bottle, moebius_band, nested_pages, octahedron, pinched_torus, polygon,
@@ -12,27 +11,12 @@ use crate::{
 
 /// A shape by name, with the sizes that it may be given.
 #[derive(Clone, Copy, Debug)]
-pub struct Generator {
+pub struct NamedShape {
     /// What it is called, in lower case with hyphens.
     pub name: &'static str,
     /// What it is, in a line, with its figures where no size changes them.
     pub summary: &'static str,
     recipe: Recipe,
-}
-
-/// A size of a shape.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Parameter {
-    /// How finely it is divided: N in the summary.
-    Resolution,
-    /// How many pages, tubes, triangles or turns it has: N in the summary.
-    Count,
-    /// How many handles.
-    Genus,
-    /// How many cross-caps, in place of handles.
-    CrossCaps,
-    /// How many holes.
-    Holes,
 }
 
 /// The sizes that are asked for; one that is absent is the shape's own.
@@ -65,7 +49,7 @@ const SURFACE_GENUS: usize = 1;
 const SURFACE_RESOLUTION: usize = 2;
 
 /// Every shape that has a name.
-pub static GENERATORS: &[Generator] = &[
+pub static NAMED_SHAPES: &[NamedShape] = &[
     named("tetrahedron", "V 4, E 6, F 4", Fixed(tetrahedron)),
     named("cube", "V 8, E 12, F 6", Fixed(cube)),
     named("octahedron", "V 6, E 12, F 8", Fixed(octahedron)),
@@ -107,14 +91,14 @@ pub static GENERATORS: &[Generator] = &[
     named("strip", "N triangles in one row", OfCount(8, strip)),
 ];
 
-const fn named(name: &'static str, summary: &'static str, recipe: Recipe) -> Generator {
-    Generator { name, summary, recipe }
+const fn named(name: &'static str, summary: &'static str, recipe: Recipe) -> NamedShape {
+    NamedShape { name, summary, recipe }
 }
 
-impl Generator {
+impl NamedShape {
     /// The shape of a name.
-    pub fn from_name(name: &str) -> Option<&'static Generator> {
-        GENERATORS.iter().find(|generator| generator.name == name)
+    pub fn from_name(name: &str) -> Option<&'static NamedShape> {
+        NAMED_SHAPES.iter().find(|shape| shape.name == name)
     }
 
     /// The sizes that it may be given, each with what it is otherwise.
@@ -150,25 +134,6 @@ impl Generator {
             OfCount(usual, make) => make(sizes.count.unwrap_or(usual)),
             Recipe::Surface => sizes.surface(),
         }
-    }
-}
-
-impl Parameter {
-    /// What it is called, in lower case with hyphens.
-    pub fn name(self) -> &'static str {
-        match self {
-            Parameter::Resolution => "resolution",
-            Parameter::Count => "count",
-            Parameter::Genus => "genus",
-            Parameter::CrossCaps => "cross-caps",
-            Parameter::Holes => "holes",
-        }
-    }
-}
-
-impl fmt::Display for Parameter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
     }
 }
 

@@ -1,0 +1,17 @@
+//! How generators and cut graphs are chosen.
+
+use meshmend_core::{Column, EdgeId};
+
+use super::co_tree::CoTree;
+use super::roots::Roots;
+
+/// How generators and cut graphs are chosen; by default with as few edges as a tree from the lowest vertex gives.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct GeneratorOptions<'a> {
+    /// The length of each edge; without, and in components where they can't be added up, edges are counted.
+    pub lengths: Option<&'a Column<EdgeId, f64>>,
+    /// Which edges the tree of the faces takes first.
+    pub co_tree: CoTree,
+    /// Where the trees of the vertices begin.
+    pub roots: Roots,
+}
