@@ -15,61 +15,39 @@
 //! 5. **Provenance is the record of change.** A pass says for each new face and corner which old one it came
 //!    from ([`Provenance`]); everything else is derived, and attributes ride on it ([`Draft`]).
 
-mod admission;
-mod anchors;
 mod attributes;
-mod capabilities;
+mod changes;
 mod classes;
 mod column;
-mod complex;
-mod connectivity;
-mod cycles;
 mod defects;
-mod differences;
-mod draft;
-mod edge_table;
-mod edge_use;
-mod face_index;
-mod face_table;
-mod grouping;
+mod edges;
+mod faces;
 mod ids;
-mod mesh;
-mod pooling;
+mod kernel;
+mod polygon_mesh;
 mod printable;
-mod provenance;
-mod render_vertices;
-mod role;
-mod stars;
-mod values;
-mod vertex_corners;
 mod words;
 
-pub use admission::{Refusal, admission};
-pub use attributes::{Carry, Domain, Layer, NO_VALUE};
-pub use capabilities::Capabilities;
+pub use attributes::{
+    Aspect, Carry, Differences, Domain, FlippedNormals, Layer, NO_VALUE, Role, Values, turned_normals,
+};
+pub use changes::{Blend, Draft, DraftError, Loose, Provenance, Sources, VertexDraft};
 pub use classes::{Classes, Joined, SidedClasses};
 pub use column::Column;
-pub use complex::Complex;
-pub use connectivity::{Connectivity, ManifoldConnectivity};
-pub use cycles::{canonical_rotation, distinct_count};
 pub use defects::{
     Defect, DefectKind, Defects, Detail, Element, Found, Listed, Rule, RuleError, Rules, Severity, Strip,
     Unjudged,
 };
-pub use differences::{Aspect, Differences};
-pub use draft::{Blend, Draft, DraftError, Loose, VertexDraft};
-pub use edge_table::{EdgeSide, EdgeTable};
-pub use edge_use::EdgeUse;
-pub use face_index::FaceIndex;
-pub use face_table::{FaceTable, FaceTableBuilder, FaceTableError, MAX_CORNERS};
-pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
-pub use mesh::{MeshError, Metadata, PolygonMesh};
-pub use printable::printable;
-pub use provenance::{Counts, Provenance, Sources};
-pub use role::{FlippedNormals, Role, turned_normals};
-pub use stars::{
-    EdgeClass, Umbrellas, VertexClass, edge_class, irregular_vertices, is_inconsistent, is_manifold,
-    umbrellas, vertex_classes,
+pub use edges::{EdgeSide, EdgeTable};
+pub use faces::{
+    Complex, FaceIndex, FaceTable, FaceTableBuilder, FaceTableError, MAX_CORNERS, canonical_rotation,
+    distinct_count,
 };
-pub use values::Values;
+pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
+pub use kernel::{
+    Capabilities, Connectivity, EdgeClass, EdgeUse, ManifoldConnectivity, Refusal, Umbrellas, VertexClass,
+    admission, edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas, vertex_classes,
+};
+pub use polygon_mesh::{Counts, MeshError, Metadata, PolygonMesh};
+pub use printable::printable;
 pub use words::counted;

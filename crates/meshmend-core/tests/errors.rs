@@ -76,7 +76,7 @@ fn a_draft_that_makes_no_mesh() {
     let cases = vec![
         (
             mesh.rebuild(Draft { face_sources: Sources::same(3), ..draft() }).unwrap_err(),
-            "a draft has 3 face sources, but 1 are needed",
+            "a draft has 3 face sources, but needs 1",
         ),
         (mesh.rebuild(dropped).unwrap_err(), "a draft drops v2, which a loose element uses"),
         (mesh.rebuild(astray).unwrap_err(), "loose point 0 names vertex 9, but there are 3 vertices"),

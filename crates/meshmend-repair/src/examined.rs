@@ -60,7 +60,7 @@ impl Examined {
         let welded = weld.map(|weld| weld.apply(mesh, &Context::default()).map(|outcome| (weld, outcome)));
         let weld = welded.transpose()?;
         // What is built for it goes when a repair has made another mesh of it.
-        let viewed = weld.as_ref().map_or(mesh, |(_, outcome)| &outcome.mesh).detached();
+        let viewed = weld.as_ref().map_or(mesh, |(_, outcome)| &outcome.mesh).with_own_cache();
         let report = kernel.run(viewed.complex(), Analyse { mesh: &viewed, witness })?;
         Ok(Examined { stored: mesh.clone(), mesh: viewed, weld, kernel, report })
     }

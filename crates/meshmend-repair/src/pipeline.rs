@@ -439,7 +439,7 @@ mod tests {
                 FaceTable::triangles(MAX_CORNERS, Vec::new()).unwrap_err().into(),
                 "2147483648 vertices are more than the 2147483648 that a table holds",
             ),
-            (mesh.rebuild(wrong).unwrap_err().into(), "a draft has 2 corner sources, but 3 are needed"),
+            (mesh.rebuild(wrong).unwrap_err().into(), "a draft has 2 corner sources, but needs 3"),
         ];
         assert_every_variant!(
             cases,

@@ -34,7 +34,7 @@ impl Run {
     pub(super) fn begin(stored: &PolygonMesh, takes_figures: bool) -> Self {
         Run {
             // The tables of the first mesh go when a pass has made another.
-            mesh: stored.detached(),
+            mesh: stored.with_own_cache(),
             history: History::begin(stored),
             passes: Vec::new(),
             round: 0,

@@ -95,7 +95,7 @@ impl FaceStorage {
     /// A mesh as it is read again when it was stored this way.
     pub(super) fn read_again(&self, mesh: &PolygonMesh) -> Result<(PolygonMesh, Provenance), PassError> {
         let made = self.made_of(mesh)?;
-        let (made, record) = made.unwrap_or_else(|| (mesh.detached(), Provenance::same(mesh.counts())));
+        let (made, record) = made.unwrap_or_else(|| (mesh.with_own_cache(), Provenance::same(mesh.counts())));
         if !self.is_apart() {
             return Ok((made, record));
         }

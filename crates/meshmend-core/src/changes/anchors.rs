@@ -5,27 +5,6 @@
 
 use crate::{Draft, Id, Metadata, Sources};
 
-impl Metadata {
-    /// What kind of statement it is, wherever it stands: `comment` for the key `comment@f7`.
-    pub fn kind(&self) -> &str {
-        self.key.split_once('@').map_or(self.key.as_str(), |(kind, _)| kind)
-    }
-
-    /// What the statement stands before, if it does not stand for the file as a whole: the sign of a kind of element,
-    /// such as `v` or `f`, and the element's number, counted from 0. A number beyond the last element is the end.
-    pub fn anchor(&self) -> Option<(&str, usize)> {
-        let (_, place) = self.key.split_once('@')?;
-        let digits = place.find(|c: char| c.is_ascii_digit())?;
-        let number: usize = place[digits..].parse().ok()?;
-        Some((&place[..digits], number.checked_sub(1)?))
-    }
-
-    /// The statement before another element of the same kind, counted from 0.
-    fn moved_to(&self, sign: &str, element: usize) -> Self {
-        Metadata { key: format!("{}@{sign}{}", self.kind(), element + 1), value: self.value.clone() }
-    }
-}
-
 /// The statements of a file after a change.
 ///
 /// *Cost*: constant for statements about the file as a whole; linear in the new vertices and faces where any stands before one.

@@ -10,23 +10,20 @@
 //!
 //! Building it is what costs, not asking it.
 
-use crate::grouping::Way;
-use crate::{Column, CornerId, EdgeId, FaceTable, Id, VertexId};
-
-mod build;
+use crate::{Column, CornerId, EdgeId, Id, VertexId};
 
 /// The edges of a table whose every side joins two different vertices.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EdgeTable {
-    ends: Column<EdgeId, [VertexId; 2]>,
-    corner_edge: Column<CornerId, EdgeId>,
-    starts: Vec<u32>,
-    edge_sides: Vec<EdgeSide>,
+    pub(super) ends: Column<EdgeId, [VertexId; 2]>,
+    pub(super) corner_edge: Column<CornerId, EdgeId>,
+    pub(super) starts: Vec<u32>,
+    pub(super) edge_sides: Vec<EdgeSide>,
 }
 
 /// A corner whose side runs along an edge, and which way: one word, as there are fewer than 2³¹ corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct EdgeSide(u32);
+pub struct EdgeSide(pub(super) u32);
 
 impl EdgeSide {
     /// The corner at which the side begins.
@@ -43,14 +40,6 @@ impl EdgeSide {
 }
 
 impl EdgeTable {
-    /// Numbers the edges of a normalised table.
-    ///
-    /// *Cost*: O(n + Σ d log d) over the buckets' sizes d; four arrays, and one or two temporary ones of 8 to 12 bytes
-    /// a corner.
-    pub(crate) fn build(faces: &FaceTable) -> Self {
-        build::build(faces, Way::for_table(faces))
-    }
-
     /// How many edges there are.
     pub fn edge_count(&self) -> usize {
         self.ends.len()
@@ -103,6 +92,7 @@ impl EdgeTable {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::FaceTable;
 
     #[test]
     fn edges_are_numbered_by_their_ends_and_list_ascending_corners() {

@@ -8,7 +8,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use crate::role::Turn;
+use super::role::Turn;
 use crate::{CornerId, Id, Role, Values};
 
 /// The use of an element that has no value.

@@ -7,7 +7,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::vertex_corners::VertexCorners;
+use crate::edges::vertex_corners::VertexCorners;
 use crate::{CornerId, EdgeTable, FaceId, FaceTable, FaceTableBuilder, Id, Sources, VertexId};
 
 /// The normalised faces of a mesh, with the canonical numbering of their edges.

@@ -2,10 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use thiserror::Error;
-
-use crate::words::{counted, there_are};
-use crate::{Complex, Counts, Domain, FaceTable, Id, Layer, VertexId};
+use crate::{Complex, Counts, Domain, FaceTable, Id, Layer, MeshError, Metadata, VertexId};
 
 /// An immutable polygon mesh. Cloning is O(1); every change makes a new mesh.
 ///
@@ -25,57 +22,6 @@ pub struct PolygonMesh {
     layers: Arc<Vec<Layer>>,
     metadata: Arc<Vec<Metadata>>,
     complex: Arc<OnceLock<Complex>>,
-}
-
-/// Something a file says beside its elements: a comment, a material library, the name of a solid.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Metadata {
-    /// What kind of statement it is, such as `comment`, `mtllib` or `solid`; for one that stands before an element, with
-    /// that: `comment@f7` stands before face 7, counted from 1.
-    pub key: String,
-    /// What it says, as bytes: files need not be UTF-8.
-    pub value: Vec<u8>,
-}
-
-/// Why parts don't make a mesh.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum MeshError {
-    /// The faces were made for another number of vertices.
-    #[error("the faces are over {}, but {}", counted(faces, "vertex"), there_are(*positions, "position"))]
-    VertexCount {
-        /// What the face table says.
-        faces: usize,
-        /// How many positions there are.
-        positions: usize,
-    },
-    /// A loose element names a vertex that does not exist.
-    #[error("{what} {index} names vertex {vertex}, but {}", there_are(*vertex_count, "vertex"))]
-    NoSuchVertex {
-        /// `loose edge` or `loose point`.
-        what: &'static str,
-        /// Its place in its list.
-        index: usize,
-        /// The vertex that it names.
-        vertex: u32,
-        /// How many vertices there are.
-        vertex_count: usize,
-    },
-    /// An attribute layer is not for this mesh.
-    #[error("the layer `{name}` is for {}, but the mesh has {expected}", counted(found, "element"))]
-    LayerSize {
-        /// The layer's name.
-        name: String,
-        /// How many elements it speaks of.
-        found: usize,
-        /// How many the mesh has.
-        expected: usize,
-    },
-    /// An attribute layer names a value that its pool does not hold.
-    #[error("the layer `{name}` uses values that it does not have")]
-    LayerValues {
-        /// The layer's name.
-        name: String,
-    },
 }
 
 impl PolygonMesh {
@@ -183,7 +129,7 @@ impl PolygonMesh {
 
     /// The same mesh, which shares a complex that has its edges; but one that is still to be built is its own, so that
     /// it goes with the copy and not with the mesh.
-    pub fn detached(&self) -> Self {
+    pub fn with_own_cache(&self) -> Self {
         let is_built = self.complex.get().is_some_and(Complex::has_edges);
         let complex = if is_built { Arc::clone(&self.complex) } else { Arc::default() };
         PolygonMesh { complex, ..self.clone() }
@@ -284,12 +230,12 @@ mod tests {
     }
 
     #[test]
-    fn a_detached_copy_keeps_for_itself_what_it_builds() {
+    fn a_copy_with_its_own_cache_keeps_for_itself_what_it_builds() {
         let mesh = triangle();
-        let copy = mesh.detached();
+        let copy = mesh.with_own_cache();
         assert!(!std::ptr::eq(mesh.complex(), copy.complex()));
         mesh.complex().edges();
-        assert!(std::ptr::eq(mesh.complex(), mesh.detached().complex()));
+        assert!(std::ptr::eq(mesh.complex(), mesh.with_own_cache().complex()));
         assert_eq!(mesh.complex().edges(), copy.complex().edges());
     }
 

@@ -22,7 +22,7 @@
 
 use std::sync::Arc;
 
-use crate::vertex_corners::VertexCorners;
+use crate::edges::vertex_corners::VertexCorners;
 use crate::{Capabilities, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceIndex, VertexId};
 
 /// The edge-use table of a complex.

@@ -32,7 +32,7 @@ pub(crate) trait Collect<T>: Default + Send {
 
 /// How records are collected; what comes out is the same.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way {
+pub(crate) struct Strategy {
     pub(crate) threads: usize,
     pub(crate) is_scattered: bool,
 }
@@ -44,7 +44,7 @@ const MANY_VERTICES: usize = 3 << 18;
 /// More threads than this would mostly look at records that are not theirs.
 const MOST_THREADS: usize = 8;
 
-impl Way {
+impl Strategy {
     /// The way that is fast for a table of faces.
     pub(crate) fn for_table(faces: &FaceTable) -> Self {
         // A small mesh is no reason to start threads.
@@ -52,7 +52,7 @@ impl Way {
         let threads = if is_large { rayon::current_num_threads().min(MOST_THREADS) } else { 1 };
         // Each thread has a cache of its own, but also looks at all records, unless they are parted.
         let are_many = faces.vertex_count() * threads >= MANY_VERTICES;
-        Way { threads, is_scattered: are_many && is_scattered(faces) }
+        Strategy { threads, is_scattered: are_many && is_scattered(faces) }
     }
 
     /// As many ranges as there are threads; together they are `0..count`.

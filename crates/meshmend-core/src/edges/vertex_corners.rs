@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::grouping::{Groups, Records, Way};
+use super::grouping::{Groups, Records, Strategy};
 use crate::{CornerId, FaceTable, Id, VertexId};
 
 /// The corners of each vertex, ascending.
@@ -13,11 +13,12 @@ impl VertexCorners {
     /// *Cost*: linear; two passes over the corners, four where they are scattered.
     pub(crate) fn build(faces: &FaceTable) -> Self {
         // In order, putting together what threads have found takes longer than finding it.
-        let way = Way::for_table(faces);
-        let way = Way { threads: if way.is_scattered { way.threads } else { 1 }, ..way };
-        let shares = way.shares(faces.corner_count());
+        let strategy = Strategy::for_table(faces);
+        let strategy =
+            Strategy { threads: if strategy.is_scattered { strategy.threads } else { 1 }, ..strategy };
+        let shares = strategy.shares(faces.corner_count());
         let corners: Vec<_> = shares.into_iter().map(|range| FaceCorners { faces, range }).collect();
-        VertexCorners(Groups::joined(way.collect(faces.vertex_count(), &corners)))
+        VertexCorners(Groups::joined(strategy.collect(faces.vertex_count(), &corners)))
     }
 
     #[inline]

@@ -1,0 +1,11 @@
+//! The mesh as a value.
+
+mod counts;
+mod error;
+mod mesh;
+mod metadata;
+
+pub use counts::Counts;
+pub use error::MeshError;
+pub use mesh::PolygonMesh;
+pub use metadata::Metadata;
