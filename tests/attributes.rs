@@ -71,7 +71,7 @@ impl Target {
 
 fn written(mesh: &PolygonMesh, target: Target) -> (Vec<u8>, Vec<Loss>) {
     let mut bytes = Vec::new();
-    let options = WriteOptions { seams: target.seams, ..WriteOptions::of(target.format) };
+    let options = WriteOptions::of(target.format).with_seams(target.seams);
     let losses = encode(mesh, &options.with_encoding(target.encoding), &mut bytes).unwrap();
     (bytes, losses)
 }

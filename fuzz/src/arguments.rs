@@ -82,7 +82,7 @@ fn assert_whole(name: &str, bytes: &[u8], format: Option<Format>) {
     if bytes.starts_with(b"<") {
         return assert!(end.ends_with(b"</svg>"), "{name} is cut off");
     }
-    let options = meshmend_io::ReadOptions { format, ..Default::default() };
+    let options = meshmend_io::ReadOptions::default().with_format(format);
     if let Err(error) = meshmend_io::read_bytes(bytes, name, &options) {
         panic!("{error} in\n{}", String::from_utf8_lossy(bytes));
     }

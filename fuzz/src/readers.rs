@@ -57,7 +57,7 @@ pub fn sniff(data: &[u8]) {
 
 /// Reads bytes as a format.
 pub(crate) fn read_as(format: Format, data: &[u8]) -> Result<ReadFile, ReadError> {
-    read_bytes(data, "mesh", &ReadOptions { format: Some(format), ..ReadOptions::default() })
+    read_bytes(data, "mesh", &ReadOptions::default().with_format(format))
 }
 
 fn read_and_write(format: Format, data: &[u8]) {
@@ -86,14 +86,14 @@ fn assert_located(error: &ReadError, data: &[u8]) {
 /// A limit of one less than there is refuses the file, and one of just that much takes it.
 fn assert_within_limits(format: Format, data: &[u8], mesh: &PolygonMesh) {
     let counts = mesh.counts();
-    let read = |limits| read_bytes(data, "mesh", &ReadOptions { format: Some(format), limits });
+    let read =
+        |limits| read_bytes(data, "mesh", &ReadOptions::default().with_format(format).with_limits(limits));
     let faces = counts.faces as u64;
     if faces > 0 {
-        let error =
-            read(Limits { max_faces: faces - 1, ..Limits::default() }).expect_err("a limit is exceeded");
+        let error = read(Limits::default().with_max_faces(faces - 1)).expect_err("a limit is exceeded");
         assert!(matches!(error.kind, ReadErrorKind::LimitExceeded { .. }), "{error}");
     }
-    let least = Limits { max_faces: faces, max_corners: counts.corners as u64, ..Limits::default() };
+    let least = Limits::default().with_max_faces(faces).with_max_corners(counts.corners as u64);
     assert!(read(least).is_ok(), "refused within its limits");
 }
 

@@ -37,8 +37,8 @@ impl Family {
 
 /// Reads a file of any number of names and comments.
 pub(crate) fn read_any(bytes: &[u8], format: Format) -> ReadFile {
-    let limits = Limits { max_declarations: u64::MAX, max_comments: usize::MAX, ..Limits::default() };
-    let options = ReadOptions { format: Some(format), limits };
+    let limits = Limits::default().with_max_declarations(u64::MAX).with_max_comments(usize::MAX);
+    let options = ReadOptions::default().with_format(format).with_limits(limits);
     read_bytes(bytes, "mesh", &options).expect("what was written can be read")
 }
 

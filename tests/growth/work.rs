@@ -99,8 +99,7 @@ fn repair(mesh: &PolygonMesh, choose: impl FnOnce(&mut Plan)) {
 
 fn files(mesh: &PolygonMesh, shell: &Shell) {
     for (format, encoding) in Format::ALL.iter().flat_map(|&f| f.encodings().iter().map(move |&e| (f, e))) {
-        let options =
-            WriteOptions { shell: shell.clone(), ..WriteOptions::of(format).with_encoding(encoding) };
+        let options = WriteOptions::of(format).with_encoding(encoding).with_shell(shell.clone());
         let file = read_any(&written(mesh, &options), format);
         // As it was read, and in a format that holds no names of properties.
         for format in [format, Format::Obj] {

@@ -32,7 +32,7 @@ impl InputWords {
 
     /// Reads a file, or standard input, with the default limits.
     pub(crate) fn read(self, path: &Path, console: &mut Console<'_>) -> Result<ReadFile, Failure> {
-        let options = ReadOptions { format: self.from, ..ReadOptions::default() };
+        let options = ReadOptions::default().with_format(self.from);
         if !is_stream(path) {
             return Ok(meshmend::read(path, &options)?);
         }

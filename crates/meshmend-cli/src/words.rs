@@ -176,7 +176,8 @@ impl OutputWords {
             true => AttributePrecision::Double,
             false => AttributePrecision::AsExpected,
         };
-        let options = WriteOptions { encoding, seams, precision, ..WriteOptions::of(format) };
+        let mut options = WriteOptions::of(format).with_seams(seams).with_precision(precision);
+        options.encoding = encoding;
         // In which folder a stream ends can't be known.
         Ok(if is_stream(path) { options } else { options.for_path(path) })
     }
@@ -197,16 +198,7 @@ impl EncodingWord {
 /// What readers call a file that is written so.
 pub(crate) fn variant(options: &WriteOptions) -> Option<&'static str> {
     let (format, encoding) = options.resolved().ok()?;
-    Some(match (format, encoding) {
-        (Format::Obj, _) => "obj",
-        (Format::Off, _) => "off",
-        (Format::Ply, Encoding::Ascii) => "ply-ascii",
-        (Format::Ply, Encoding::LittleEndian) => "ply-le",
-        (Format::Ply, Encoding::BigEndian) => "ply-be",
-        (Format::Stl, Encoding::Ascii) => "stl-ascii",
-        (Format::Stl, _) => "stl-binary",
-        _ => return None,
-    })
+    Some(format.variant(encoding))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Why a file can't be read or written, and where.
 
-use std::{fmt, io};
+use std::{error, fmt, io};
 
 use meshmend_core::DraftError;
 use serde::Serialize;
@@ -32,9 +32,8 @@ impl fmt::Display for Place {
     }
 }
 
-/// Why a file can't be read. Shown as `file: place: reason`.
-#[derive(Debug, Error)]
-#[error("{file}: {}{kind}", shown(.place))]
+/// Why a file can't be read. Shown as `file: place: reason`. Its source is the error of the system, if that is the reason.
+#[derive(Debug)]
 pub struct ReadError {
     /// The file, as it was named.
     pub file: String,
@@ -42,6 +41,19 @@ pub struct ReadError {
     pub place: Place,
     /// What is wrong.
     pub kind: ReadErrorKind,
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}{}", self.file, shown(&self.place), self.kind)
+    }
+}
+
+impl error::Error for ReadError {
+    fn source(&self) -> Option<&(dyn error::Error + 'static)> {
+        // The kind itself would be shown twice: what is shown of this error ends with it.
+        error::Error::source(&self.kind)
+    }
 }
 
 /// What is wrong with a file, sorted by whose fault it is.
@@ -56,7 +68,7 @@ pub enum ReadErrorKind {
     },
     /// The system can't give the file's bytes.
     #[error("{0}")]
-    Io(io::Error),
+    Io(#[source] io::Error),
     /// The content breaks the rules of its format.
     #[error("{0}")]
     Malformed(String),
@@ -72,9 +84,9 @@ pub enum ReadErrorKind {
     },
 }
 
-/// Why a file can't be written. Shown as `file: reason`.
-#[derive(Debug, Error)]
-#[error("{file}: {kind}")]
+/// Why a file can't be written. Shown as `file: reason`. Its source is the error of the system or of the mesh, if one of
+/// those is the reason.
+#[derive(Debug)]
 pub struct WriteError {
     /// The file, as it was named.
     pub file: String,
@@ -82,7 +94,19 @@ pub struct WriteError {
     pub kind: WriteErrorKind,
 }
 
-/// What is wrong with a wish to write.
+impl fmt::Display for WriteError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.file, self.kind)
+    }
+}
+
+impl error::Error for WriteError {
+    fn source(&self) -> Option<&(dyn error::Error + 'static)> {
+        error::Error::source(&self.kind)
+    }
+}
+
+/// Why a mesh can't be written.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum WriteErrorKind {
@@ -104,8 +128,8 @@ pub enum WriteErrorKind {
         /// How many vertices.
         vertices: u64,
     },
-    /// The file would hold more elements than a mesh does.
-    #[error(transparent)]
+    /// The file would hold more elements than a mesh can.
+    #[error("{0}")]
     TooLarge(#[from] DraftError),
     /// The system can't take the bytes.
     #[error("{0}")]
@@ -133,6 +157,7 @@ fn unknown(looks_like: &Option<&str>) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::error::Error as _;
     use std::path::Path;
 
     use meshmend_core::{Carry, Domain, FaceTable, Layer, MAX_CORNERS, PolygonMesh, Values, VertexId};
@@ -190,6 +215,30 @@ mod tests {
             ),
         ];
         assert_every_variant!(cases, WriteErrorKind { UnknownFormat, NoSuchEncoding, Seams, TooLarge, Io });
+    }
+
+    #[test]
+    fn an_error_of_the_system_is_the_source_of_what_it_causes() {
+        let kind_of =
+            |error: &dyn error::Error| error.source()?.downcast_ref::<io::Error>().map(io::Error::kind);
+        let read = read(Path::new("no/such/mesh.obj"), &ReadOptions::default()).unwrap_err();
+        assert_eq!(kind_of(&read), Some(io::ErrorKind::NotFound));
+        assert_eq!(kind_of(&read.kind), Some(io::ErrorKind::NotFound));
+        let faces = FaceTable::triangles(0, Vec::new()).unwrap();
+        let mesh = PolygonMesh::new(Vec::new(), faces).unwrap();
+        let written = write(Path::new("no/such/mesh.obj"), &mesh, &WriteOptions::default()).unwrap_err();
+        assert_eq!(kind_of(&written), Some(io::ErrorKind::NotFound));
+        let mut full: &mut [u8] = &mut [];
+        let written = encode(&mesh, &WriteOptions::of(Format::Obj), &mut full).unwrap_err();
+        assert_eq!(kind_of(&written), Some(io::ErrorKind::WriteZero));
+        // What is wrong with the bytes has no other cause.
+        let malformed = read_bytes(b"f 1\n", "mesh.obj", &ReadOptions::default()).unwrap_err();
+        assert!(malformed.source().is_none() && malformed.kind.source().is_none());
+        let too_large = WriteErrorKind::from(DraftError::from(
+            FaceTable::triangles(MAX_CORNERS, Vec::new()).unwrap_err(),
+        ));
+        let too_large = WriteError { file: "mesh".to_owned(), kind: too_large };
+        assert!(too_large.source().is_some_and(|source| source.is::<DraftError>()));
     }
 
     #[test]

@@ -48,7 +48,7 @@ pub use formats::stl::colors::{ColorElements, decode_stl_colors};
 pub use input::options::ReadOptions;
 pub use input::read_file::ReadFile;
 pub use limits::Limits;
-pub use loss::{Loss, LossKind};
+pub use loss::{Loss, LossKind, LostLayer};
 pub use note::{Note, NoteKind};
 pub use output::atomic::{abandon_temporary_files, replace_file, target_of};
 pub use output::held::held_layers;

@@ -7,7 +7,13 @@ use crate::text::one_or_many;
 /// What a file may hold at most. The defaults are finite, and beyond what fits the memory of most machines.
 ///
 /// Memory follows the bytes that are present, never the counts that a file declares, whatever the limits are.
+///
+/// ```
+/// let limits = meshmend_io::Limits::default().with_max_faces(1_000_000);
+/// assert_eq!(limits.max_faces, 1_000_000);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Limits {
     /// Bytes of the file; 16 GiB by default.
     pub max_file_bytes: u64,
@@ -66,6 +72,29 @@ impl Default for Limits {
             max_declarations: 1 << 16,
         }
     }
+}
+
+macro_rules! with_limit {
+    ($($with:ident $limit:ident: $number:ty,)*) => {
+        impl Limits {
+            $(
+                #[doc = concat!("These limits with another [`", stringify!($limit), "`](Limits::", stringify!($limit), ").")]
+                pub fn $with(self, $limit: $number) -> Self {
+                    Limits { $limit, ..self }
+                }
+            )*
+        }
+    };
+}
+
+with_limit! {
+    with_max_file_bytes max_file_bytes: u64,
+    with_max_stream_bytes max_stream_bytes: u64,
+    with_max_vertices max_vertices: u64,
+    with_max_faces max_faces: u64,
+    with_max_corners max_corners: u64,
+    with_max_comments max_comments: usize,
+    with_max_declarations max_declarations: u64,
 }
 
 impl Limits {

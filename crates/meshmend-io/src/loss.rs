@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use meshmend_core::{Domain, Layer};
 use serde::Serialize;
 
 /// Something of a mesh that a written file has no longer, or not exactly.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct Loss {
     /// What kind of loss it is.
     pub kind: LossKind,
@@ -13,11 +15,31 @@ pub struct Loss {
     pub count: u64,
     /// What is lost, for people.
     pub message: String,
+    /// The layer that is left out, where a whole layer is.
+    #[serde(skip)]
+    pub layer: Option<LostLayer>,
+}
+
+/// An attribute layer that a written file does not have, by what tells it from others.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct LostLayer {
+    /// The elements that have its values.
+    pub domain: Domain,
+    /// Its name.
+    pub name: String,
+}
+
+impl LostLayer {
+    /// What a loss of this layer carries.
+    pub fn of(layer: &Layer) -> Self {
+        LostLayer { domain: layer.domain(), name: layer.name().to_owned() }
+    }
 }
 
 /// The kinds of loss, with stable names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum LossKind {
     /// An attribute layer is left out.
     Layer,
@@ -60,7 +82,12 @@ pub enum LossKind {
 
 impl Loss {
     pub(crate) fn new(kind: LossKind, count: usize, message: impl Into<String>) -> Self {
-        Loss { kind, count: count as u64, message: message.into() }
+        Loss { kind, count: count as u64, message: message.into(), layer: None }
+    }
+
+    /// The loss, of which this is the layer.
+    pub(crate) fn of_layer(self, layer: &Layer) -> Self {
+        Loss { layer: Some(LostLayer::of(layer)), ..self }
     }
 
     /// The loss if it concerns any element.

@@ -8,6 +8,7 @@ use crate::Place;
 
 /// Something in an accepted file that is not in the mesh, or not as the file has it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct Note {
     /// What kind of remark it is.
     pub kind: NoteKind,

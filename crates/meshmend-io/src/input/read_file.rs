@@ -6,6 +6,7 @@ use crate::{Format, Note, Shell};
 
 /// What a file holds.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct ReadFile {
     /// The mesh.
     pub mesh: PolygonMesh,

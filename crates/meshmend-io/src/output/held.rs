@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use meshmend_core::{Domain, FaceTable, Layer, PolygonMesh, Values, VertexId};
 
-use crate::{LossKind, WriteOptions, losses};
+use crate::{LostLayer, WriteOptions, losses};
 
 /// For each layer of a mesh whether a file that is written so would have it beside the others, by its name, elements and type;
 /// whether its values are rounded is another question. Options that name no format hold all.
@@ -12,37 +12,20 @@ use crate::{LossKind, WriteOptions, losses};
 /// *Cost*: that of writing a triangle with all layers.
 pub fn held_layers(mesh: &PolygonMesh, options: &WriteOptions) -> Vec<bool> {
     let samples: Vec<Layer> = mesh.layers().iter().map(sample).collect();
-    let names: Vec<String> = samples.iter().map(spelled).collect();
-    let lost = lost_names(samples, options);
+    let names: Vec<LostLayer> = samples.iter().map(LostLayer::of).collect();
+    let lost = lost_layers(samples, options);
     names.iter().map(|name| !lost.contains(name)).collect()
 }
 
-/// The layers, by what losses call them, that a triangle loses.
-fn lost_names(layers: Vec<Layer>, options: &WriteOptions) -> BTreeSet<String> {
+/// The layers that a triangle loses.
+fn lost_layers(layers: Vec<Layer>, options: &WriteOptions) -> BTreeSet<LostLayer> {
     let corners = (0..3).map(VertexId).collect();
     let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let triangle = FaceTable::triangles(3, corners)
         .ok()
         .and_then(|faces| PolygonMesh::new(points, faces).and_then(|mesh| mesh.with_layers(layers)).ok());
     let losses = triangle.map_or(Vec::new(), |triangle| losses(&triangle, options));
-    let of_layers = losses.iter().filter(|loss| loss.kind == LossKind::Layer);
-    of_layers.filter_map(|loss| named_in(&loss.message)).map(str::to_owned).collect()
-}
-
-/// The part of a loss that says which layer is lost. A name may hold anything; what follows it holds no `` ` ``.
-fn named_in(message: &str) -> Option<&str> {
-    let (open, close) = (message.find(" attribute `")?, message.rfind('`')?);
-    let before = |&domain: &Domain| message[..open].strip_suffix(domain.name());
-    let before = DOMAINS.iter().find_map(before)?;
-    message.get(before.len()..=close)
-}
-
-const DOMAINS: [Domain; 5] =
-    [Domain::Vertex, Domain::Corner, Domain::Face, Domain::LooseEdge, Domain::LoosePoint];
-
-/// What a loss calls a layer.
-fn spelled(layer: &Layer) -> String {
-    format!("{} attribute `{}`", layer.domain().name(), layer.name())
+    losses.into_iter().filter_map(|loss| loss.layer).collect()
 }
 
 /// A layer of a triangle like another one, on the elements on which that was stored.
@@ -80,7 +63,7 @@ mod tests {
     use meshmend_core::Carry;
 
     use super::*;
-    use crate::{Encoding, Format};
+    use crate::{Encoding, Format, LossKind};
 
     fn mesh(layers: Vec<Layer>) -> PolygonMesh {
         let faces = FaceTable::triangles(3, (0..3).map(VertexId).collect()).unwrap();
@@ -151,12 +134,29 @@ mod tests {
     }
 
     #[test]
-    fn a_layer_is_known_in_a_loss_whatever_its_name_holds() {
-        for message in
-            ["vertex attribute `a` of `b` of 3 vertices", "3 values of the vertex attribute `a` of `b`, x"]
-        {
-            assert_eq!(named_in(message), Some("vertex attribute `a` of `b`"));
+    fn a_lost_layer_is_known_whatever_its_name_holds() {
+        for name in ["a", "", "a` of `b", "vertex attribute `a`", "a` of 3 vertices, and `b"] {
+            let layers = vec![
+                layer(name, Domain::Vertex, 1, Values::U16(vec![0])),
+                layer(name, Domain::Face, 1, Values::Text(vec![b"red".to_vec()])),
+            ];
+            for format in [Format::Off, Format::Stl, Format::Obj] {
+                assert_eq!(
+                    held_layers(&mesh(layers.clone()), &WriteOptions::of(format)),
+                    [false; 2],
+                    "{name}"
+                );
+            }
+            let written = held_layers(&mesh(layers), &WriteOptions::of(Format::Ply));
+            assert_eq!(written, [true, false], "{name}");
         }
-        assert_eq!(named_in("the alpha of the colours of 1 vertex"), None);
+    }
+
+    #[test]
+    fn an_alpha_that_is_lost_is_no_layer() {
+        let color = layer("color", Domain::Vertex, 4, Values::U8(vec![1; 4]));
+        let losses = losses(&mesh(vec![color.clone()]), &WriteOptions::of(Format::Obj));
+        assert!(losses.iter().any(|loss| loss.kind == LossKind::Layer && loss.layer.is_none()));
+        assert_eq!(held_layers(&mesh(vec![color]), &WriteOptions::of(Format::Obj)), [true]);
     }
 }

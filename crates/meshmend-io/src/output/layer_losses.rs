@@ -39,7 +39,7 @@ fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
     let of_elements = Loss::if_any(LossKind::Layer, count, |count| {
         format!("{domain} attribute `{name}` of {}", counted(count, domain))
     });
-    of_elements.or_else(|| unused_layer_loss(layer))
+    of_elements.or_else(|| unused_layer_loss(layer)).map(|loss| loss.of_layer(layer))
 }
 
 /// The loss of a pool of values none of which any element uses, in a format that stores values with elements.

@@ -7,6 +7,7 @@ use crate::{Encoding, Format, ReadFile, Shell, WriteErrorKind};
 
 /// How to write.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct WriteOptions {
     /// The format; by default that of the file's name.
     pub format: Option<Format>,
@@ -26,6 +27,7 @@ pub struct WriteOptions {
 /// How a vertex is written whose attributes differ from corner to corner, where programs that read the format look for
 /// them at the vertices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Seams {
     /// As several vertices at one place, each with its own values.
     #[default]
@@ -39,6 +41,7 @@ pub enum Seams {
 
 /// In which precision attributes from another format are written to one whose programs expect single precision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum AttributePrecision {
     /// As those programs expect: texture coordinates and normals in single precision, colours as bytes where that is what
     /// they come from; what is rounded is a named loss.
@@ -57,6 +60,21 @@ impl WriteOptions {
     /// These options with an encoding.
     pub fn with_encoding(self, encoding: Encoding) -> Self {
         WriteOptions { encoding: Some(encoding), ..self }
+    }
+
+    /// These options with another way to write vertices whose attributes differ from corner to corner.
+    pub fn with_seams(self, seams: Seams) -> Self {
+        WriteOptions { seams, ..self }
+    }
+
+    /// These options with another precision of attributes from other formats.
+    pub fn with_precision(self, precision: AttributePrecision) -> Self {
+        WriteOptions { precision, ..self }
+    }
+
+    /// These options, for a mesh that comes from a file with this shell.
+    pub fn with_shell(self, shell: Shell) -> Self {
+        WriteOptions { shell, ..self }
     }
 
     /// These options, but what they leave open is done as in a file that was read, if its format is the same.

@@ -29,7 +29,7 @@ impl Drop for Folder {
 
 /// Reads bytes as a format.
 pub(crate) fn try_read(format: Format, bytes: impl AsRef<[u8]>) -> Result<ReadFile, ReadError> {
-    let options = ReadOptions { format: Some(format), ..ReadOptions::default() };
+    let options = ReadOptions::default().with_format(format);
     read_bytes(bytes.as_ref(), "test", &options)
 }
 
@@ -97,4 +97,10 @@ pub(crate) fn note(file: &ReadFile, kind: NoteKind) -> &Note {
     let note = of_kind.next().unwrap_or_else(|| panic!("no note {kind:?} in {:?}", file.notes));
     assert_eq!(of_kind.next(), None);
     note
+}
+
+/// A file with another mesh in its place.
+pub(crate) fn with_mesh(mut file: ReadFile, mesh: PolygonMesh) -> ReadFile {
+    file.mesh = mesh;
+    file
 }

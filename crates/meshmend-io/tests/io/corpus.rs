@@ -182,7 +182,7 @@ fn every_format_carries_faces_and_positions_of_every_file() {
         for &format in Format::ALL.iter().filter(|&&format| format != Format::Stl) {
             for &encoding in format.encodings() {
                 // Split vertices have other faces and positions; what they are is asked elsewhere.
-                let options = WriteOptions { seams: Seams::Corners, ..WriteOptions::of(format) };
+                let options = WriteOptions::of(format).with_seams(Seams::Corners);
                 let again = rewritten(&file.mesh, &options.with_encoding(encoding));
                 assert_eq!(again.mesh.faces(), file.mesh.faces(), "{path} as {format} {encoding}");
                 let bits = |mesh: &PolygonMesh| -> Vec<u64> {

@@ -92,7 +92,7 @@ fn what_is_surely_something_else_is_named_whatever_its_name() {
             assert_eq!(error.to_string(), expected);
         }
         // Who says what it is gets it read so.
-        let options = ReadOptions { format: Some(Format::Ply), ..Default::default() };
+        let options = ReadOptions::default().with_format(Format::Ply);
         let error = read_bytes(bytes, "a.ply", &options).unwrap_err();
         assert!(matches!(error.kind, ReadErrorKind::Malformed(_)), "{error}");
     }
@@ -161,8 +161,9 @@ fn streams_are_told_by_their_content() {
         let file = read_stream(&bytes[..], "a stream", &ReadOptions::default()).unwrap();
         assert_eq!((file.format, file.mesh.counts().faces), (format, 1));
     }
-    let limits = Limits { max_stream_bytes: 1000, ..Limits::default() };
-    let error = read_stream(io::repeat(b'v'), "a stream", &ReadOptions { limits, format: None }).unwrap_err();
+    let limits = Limits::default().with_max_stream_bytes(1000);
+    let error =
+        read_stream(io::repeat(b'v'), "a stream", &ReadOptions::default().with_limits(limits)).unwrap_err();
     assert!(matches!(error.kind, ReadErrorKind::LimitExceeded { limit: 1000, .. }), "{error}");
     assert!(error.to_string().starts_with("a stream: "), "{error}");
 }
@@ -175,7 +176,7 @@ fn errors_show_file_place_and_reason() {
     let error = read(Path::new("/no/such/mesh.obj"), &ReadOptions::default()).unwrap_err();
     assert!(matches!(error.kind, ReadErrorKind::Io(_)));
     assert!(error.to_string().starts_with("/no/such/mesh.obj: "), "{error}");
-    let error = read(&std::env::temp_dir(), &ReadOptions { format: Some(Format::Obj), ..Default::default() });
+    let error = read(&std::env::temp_dir(), &ReadOptions::default().with_format(Format::Obj));
     assert!(matches!(error.unwrap_err().kind, ReadErrorKind::Io(_)));
 }
 
@@ -238,7 +239,7 @@ fn random_bytes_and_random_changes_end_in_a_result() {
                     changed[at] = random() as u8;
                 }
                 changed.truncate(changed.len() - random() as usize % 3);
-                let options = ReadOptions { format: Some(format), ..Default::default() };
+                let options = ReadOptions::default().with_format(format);
                 if let Ok(file) = read_bytes(&changed, "changed", &options) {
                     let again = written(&file.mesh, format, encoding).0;
                     assert!(

@@ -98,7 +98,7 @@ fn rounding_and_seams() {
     for vertices in [1, 2] {
         assert_counts(&WriteErrorKind::Seams { vertices });
     }
-    let options = WriteOptions { seams: Seams::Fail, ..WriteOptions::of(Format::Off) };
+    let options = WriteOptions::of(Format::Off).with_seams(Seams::Fail);
     if let Err(error) = Prepared::new(&seams, &options) {
         assert_counts(&error);
     }
@@ -162,35 +162,25 @@ fn errors_and_notes() {
 
 #[test]
 fn limits_of_nothing() {
-    let none = Limits {
-        max_vertices: 0,
-        max_faces: 0,
-        max_corners: 0,
-        max_declarations: 0,
-        max_file_bytes: 0,
-        ..Limits::default()
-    };
     let most = Limits::default();
+    let none = most.with_max_vertices(0).with_max_faces(0).with_max_corners(0);
+    let none = none.with_max_declarations(0).with_max_file_bytes(0);
     let narrow = [
-        Limits { max_vertices: 0, ..most },
-        Limits { max_faces: 0, ..most },
-        Limits { max_corners: 0, ..most },
-        Limits { max_declarations: 0, ..most },
+        most.with_max_vertices(0),
+        most.with_max_faces(0),
+        most.with_max_corners(0),
+        most.with_max_declarations(0),
         none,
     ];
     for limits in narrow {
         for (text, &format) in
             TEXTS.iter().chain([&"x"]).flat_map(|text| Format::ALL.iter().map(move |format| (text, format)))
         {
-            let options = ReadOptions { format: Some(format), limits };
+            let options = ReadOptions::default().with_format(format).with_limits(limits);
             let error = read_bytes(text.as_bytes(), "test", &options).err();
             error.iter().for_each(|error| assert_counts(error));
         }
     }
-    let one = read_bytes(
-        b"x",
-        "test.obj",
-        &ReadOptions { limits: Limits { max_file_bytes: 0, ..most }, ..ReadOptions::default() },
-    );
+    let one = read_bytes(b"x", "test.obj", &ReadOptions::default().with_limits(most.with_max_file_bytes(0)));
     assert_eq!(one.unwrap_err().to_string(), "test.obj: 1 byte is more than the limit of 0 (max_file_bytes)");
 }

@@ -309,13 +309,14 @@ fn what_is_no_obj_is_refused() {
 #[test]
 fn limits_are_kept() {
     let text = format!("{TRIANGLE}f 1 2 3\nf 1 2 3\n");
-    let with =
-        |limits| read_bytes(text.as_bytes(), "t.obj", &ReadOptions { limits, format: None }).unwrap_err();
+    let with = |limits| {
+        read_bytes(text.as_bytes(), "t.obj", &ReadOptions::default().with_limits(limits)).unwrap_err()
+    };
     let limits = [
-        ("bytes", Limits { max_file_bytes: 10, ..Limits::default() }),
-        ("vertices", Limits { max_vertices: 2, ..Limits::default() }),
-        ("faces", Limits { max_faces: 1, ..Limits::default() }),
-        ("corners", Limits { max_corners: 5, ..Limits::default() }),
+        ("bytes", Limits::default().with_max_file_bytes(10)),
+        ("vertices", Limits::default().with_max_vertices(2)),
+        ("faces", Limits::default().with_max_faces(1)),
+        ("corners", Limits::default().with_max_corners(5)),
     ];
     for (name, limits) in limits {
         assert!(
@@ -323,8 +324,9 @@ fn limits_are_kept() {
             "{name}"
         );
     }
-    let limits = Limits { max_comments: 1, ..Limits::default() };
-    let file = read_bytes(b"#a\n#b\n#c\nv 0 0 0\n", "t.obj", &ReadOptions { limits, format: None }).unwrap();
+    let limits = Limits::default().with_max_comments(1);
+    let file =
+        read_bytes(b"#a\n#b\n#c\nv 0 0 0\n", "t.obj", &ReadOptions::default().with_limits(limits)).unwrap();
     assert_eq!((file.mesh.metadata().len(), note(&file, NoteKind::SkippedComment).count), (1, 2));
 }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{Folder, read as read_as};
+use crate::common::{Folder, read as read_as, with_mesh};
 use meshmend_core::{Carry, Domain, Layer, Values};
 use meshmend_io::{
     Format, Loss, LossKind, NoteKind, ReadFile, ReadOptions, WriteOptions, encode, losses, read,
@@ -126,7 +126,7 @@ fn a_colour_has_a_fourth_number_only_where_it_was_read_with_one() {
     let bytes = Values::U8(vec![255, 0, 0, 255, 0, 255, 0, 255]);
     let color = Layer::direct("color", Domain::Vertex, 4, Carry::Interpolate, bytes);
     let mesh = file.mesh.clone().with_layers(vec![color]).unwrap();
-    let (text, losses) = written(&ReadFile { mesh, ..file }, &options);
+    let (text, losses) = written(&with_mesh(file, mesh), &options);
     assert_eq!(text, "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\n");
     assert_eq!(losses.iter().map(|loss| loss.kind).collect::<Vec<_>>(), [LossKind::Converted]);
 }

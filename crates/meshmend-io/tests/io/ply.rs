@@ -399,7 +399,7 @@ fn cut_files_are_refused_wherever_they_are_cut() {
         // The last byte of a text is a line end, which may be missing.
         let shortest = bytes.len() - usize::from(encoding == Encoding::Ascii);
         for length in 0..shortest {
-            let options = meshmend_io::ReadOptions { format: Some(Format::Ply), ..Default::default() };
+            let options = meshmend_io::ReadOptions::default().with_format(Format::Ply);
             let result = meshmend_io::read_bytes(&bytes[..length], "cut", &options);
             assert!(result.is_err(), "{encoding}: {length} of {}", bytes.len());
         }

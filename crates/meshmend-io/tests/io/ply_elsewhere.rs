@@ -6,7 +6,7 @@ use meshmend_io::{
     WriteOptions, encode,
 };
 
-use crate::common::{layer, read};
+use crate::common::{layer, read, with_mesh};
 
 const ENCODINGS: [Encoding; 3] = [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian];
 
@@ -76,7 +76,7 @@ fn what_is_rounded_for_other_programs_is_named() {
 fn doubles_are_kept_if_that_is_asked_for() {
     let file =
         read(Format::Obj, "v 0 0 0 0.5 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nvt 0.1 0.5\nf 1/1 2/1 3/1\n");
-    let options = WriteOptions { precision: AttributePrecision::Double, ..WriteOptions::of(Format::Ply) };
+    let options = WriteOptions::of(Format::Ply).with_precision(AttributePrecision::Double);
     let (text, losses) = as_text(&file, options.with_encoding(Encoding::Ascii));
     assert_eq!(losses, []);
     assert!(text.contains("property double red\n") && text.contains("property double s\n"), "{text}");
@@ -101,8 +101,7 @@ fn texture_coordinates_that_differ_are_lists_for_triangles_and_split_vertices_fo
 fn normals_go_to_the_vertices_and_the_options_can_say_otherwise() {
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvn 1 0 0\nf 1//1 2//1 3//1\nf 3//2 2//2 4//2\n";
     let file = read(Format::Obj, obj);
-    let options =
-        |seams| WriteOptions { seams, ..WriteOptions::of(Format::Ply) }.with_encoding(Encoding::Ascii);
+    let options = |seams| WriteOptions::of(Format::Ply).with_seams(seams).with_encoding(Encoding::Ascii);
     let (text, losses) = as_text(&file, options(Seams::Split));
     assert!(text.contains("element vertex 6\n") && text.contains("property float nx\n"), "{text}");
     assert_eq!(kinds(&losses), [(LossKind::SeamVertices, 2)]);
@@ -167,7 +166,7 @@ fn types_that_are_too_small_for_what_is_there_now_give_way() {
     let mut positions = file.mesh.positions().to_vec();
     positions[0] = [0.5, 0.1, 0.1];
     let mesh = file.mesh.clone().with_positions(positions).unwrap();
-    let (text, _) = as_text(&ReadFile { mesh, ..file }, WriteOptions::of(Format::Ply));
+    let (text, _) = as_text(&with_mesh(file, mesh), WriteOptions::of(Format::Ply));
     assert!(text.contains("property double z\nproperty double x\nproperty double y\n"), "{text}");
 }
 
@@ -193,7 +192,7 @@ fn a_table_that_names_other_vertices_than_there_are_now_is_said_to_be_stale() {
         let mut positions = file.mesh.positions().to_vec();
         positions.swap(1, 2);
         let mesh = file.mesh.clone().with_positions(positions).unwrap();
-        let losses = as_text(&ReadFile { mesh, ..file }, WriteOptions::of(Format::Ply)).1;
+        let losses = as_text(&with_mesh(file, mesh), WriteOptions::of(Format::Ply)).1;
         assert_eq!(kinds(&losses), if is_stale { vec![(LossKind::StaleData, 1)] } else { vec![] }, "{name}");
     }
 }

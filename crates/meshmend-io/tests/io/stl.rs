@@ -273,8 +273,9 @@ fn stl_io_reads_what_is_written() {
 fn a_facet_counts_three_vertices_against_the_limit() {
     let bytes = binary("", 2, 2);
     for most in 5..=6 {
-        let limits = Limits { max_vertices: most, ..Limits::default() };
-        let result = read_bytes(&bytes, "two", &ReadOptions { limits, format: Some(Format::Stl) });
+        let limits = Limits::default().with_max_vertices(most);
+        let result =
+            read_bytes(&bytes, "two", &ReadOptions::default().with_format(Format::Stl).with_limits(limits));
         match result.map_err(|error| error.kind) {
             Ok(_) => assert_eq!(most, 6),
             Err(ReadErrorKind::LimitExceeded { what: "vertices", found: 6, limit: 5 }) => assert_eq!(most, 5),
@@ -287,8 +288,8 @@ fn a_facet_counts_three_vertices_against_the_limit() {
 #[test]
 fn a_limit_that_text_exceeds_is_the_error() {
     let text = format!("solid\n{}endsolid\n", FACET.repeat(3));
-    let limits = Limits { max_faces: 2, ..Limits::default() };
-    let options = ReadOptions { limits, format: Some(Format::Stl) };
+    let limits = Limits::default().with_max_faces(2);
+    let options = ReadOptions::default().with_format(Format::Stl).with_limits(limits);
     let error = read_bytes(text.as_bytes(), "long", &options).unwrap_err();
     assert!(matches!(error.kind, ReadErrorKind::LimitExceeded { .. }), "{error}");
 }
