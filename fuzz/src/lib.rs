@@ -19,7 +19,7 @@ mod round_trip;
 
 pub use arguments::arguments;
 pub use kernels::{analysis, kernels};
-pub use readers::{obj, off, ply, sniff, stl};
+pub use readers::{formats, obj, off, ply, sniff, stl};
 pub use repairs::{passes, plan, repair};
 pub use round_trip::round_trip;
 
@@ -39,4 +39,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off sniff round_trip kernels analysis repair passes plan arguments);
+targets!(obj ply stl off formats sniff round_trip kernels analysis repair passes plan arguments);

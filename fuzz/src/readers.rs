@@ -29,6 +29,14 @@ pub fn off(data: &[u8]) {
     read_and_write(Format::Off, data);
 }
 
+/// A byte that chooses a format of the registry, and the other bytes as a file of it. So each format is fuzzed from its
+/// first day; those that have a target of their own have seeds and a dictionary there.
+pub fn formats(data: &[u8]) {
+    if let [choice, file @ ..] = data {
+        read_and_write(Format::ALL[usize::from(*choice) % Format::ALL.len()], file);
+    }
+}
+
 /// The bytes as a file whose name tells nothing: what the content tells is what is read. A name that tells a format is
 /// believed, unless the content surely is another one, and then a note says so.
 pub fn sniff(data: &[u8]) {

@@ -4,6 +4,7 @@
 //! files with the outcome that each must have, and a checker of repaired meshes in another language. These lie
 //! beside the workspace; where they are not there, a test that needs them says that it was skipped, and passes.
 //!
+//! * [`contributing`]: the page for contributors beside the files that it shows.
 //! * [`corpus`]: the corpus and what its manifest says of each file.
 //! * [`each`]: one question to many files, with all that is wrong in one failure.
 //! * [`shared`]: the folder beside the workspace.
@@ -16,6 +17,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+pub mod contributing;
 pub mod corpus;
 pub mod each;
 pub mod judge;

@@ -38,15 +38,21 @@ Exit status:
   4  an output can't be written
   5  refused: a policy says `fail`, or the kernel can't hold the mesh";
 
-/// Finds, explains and mends what is wrong with polygon meshes (OBJ, PLY, STL, OFF)
+/// The words of the program.
 #[derive(Debug, Parser)]
-#[command(name = "meshmend", version, after_help = EXIT_STATUS)]
+#[command(name = "meshmend", version, about = about(), after_help = EXIT_STATUS)]
 struct CommandLine {
     /// How many threads may work; by default as many as there are processors, and one for small files
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(subcommand)]
     command: Command,
+}
+
+/// What the program is for, and with which files.
+fn about() -> String {
+    let names: Vec<&str> = meshmend::Format::ALL.iter().map(|format| format.name()).collect();
+    format!("Finds, explains and mends what is wrong with polygon meshes ({})", names.join(", "))
 }
 
 /// Does what a command line says, as [`Program::run`] does with what meshmend has of itself.

@@ -86,6 +86,25 @@ pub(crate) fn format(word: &str) -> Result<Format, String> {
     })
 }
 
+/// What the help of a command says of its input.
+pub(crate) fn input_help() -> String {
+    format!("The mesh file: {}; `-` is standard input", formats_that_are_read())
+}
+
+/// What the help of a command says of its inputs.
+pub(crate) fn inputs_help() -> String {
+    format!("The mesh files: {}; `-` is standard input", formats_that_are_read())
+}
+
+/// `OBJ, PLY, … or OFF`.
+fn formats_that_are_read() -> String {
+    let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
+    match names.split_last() {
+        Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+        _ => names.concat(),
+    }
+}
+
 /// How an output file spells its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum EncodingWord {

@@ -34,6 +34,20 @@ pub(crate) trait Shape: Any + fmt::Debug + Send + Sync {
     fn losses_in(&self, output: Output<'_>) -> Vec<Loss>;
 }
 
+/// The shape of a format that leaves a writer nothing to choose.
+#[derive(Debug, PartialEq)]
+pub(crate) struct NoChoices;
+
+impl Shape for NoChoices {
+    fn is_same(&self, other: &dyn Shape) -> bool {
+        other.downcast() == Some(self)
+    }
+
+    fn losses_in(&self, _: Output<'_>) -> Vec<Loss> {
+        Vec::new()
+    }
+}
+
 /// Where a file is to be written again.
 #[derive(Clone, Copy)]
 pub(crate) enum Output<'a> {

@@ -17,10 +17,7 @@ pub enum View {
 impl View {
     /// How files of a format are usually judged: by position where the format has no indices, else as stored.
     pub fn usual_for(format: Format) -> Self {
-        match format {
-            Format::Stl => View::Welded(Distance::Exact),
-            _ => View::Indexed,
-        }
+        if format.has_indices() { View::Indexed } else { View::Welded(Distance::Exact) }
     }
 
     /// Its name in reports: `indexed` or `welded`.

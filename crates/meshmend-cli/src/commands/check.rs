@@ -18,8 +18,7 @@ use crate::words::{self, Welding};
 /// Files are judged as stored, by index; STL, which has no indices, as welded exactly. A check changes nothing.
 #[derive(Debug, Args)]
 pub(crate) struct Check {
-    /// The mesh files: OBJ, PLY, STL or OFF; `-` is standard input
-    #[arg(required = true, value_name = "FILE")]
+    #[arg(help = words::inputs_help(), required = true, value_name = "FILE")]
     pub(super) files: Vec<PathBuf>,
     #[command(flatten)]
     from: InputWords,

@@ -22,8 +22,7 @@ use crate::words::OutputWords;
 /// surface is refused. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Cut {
-    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
-    #[arg(value_name = "IN")]
+    #[arg(help = crate::words::input_help(), value_name = "IN")]
     pub(super) input: PathBuf,
     /// The file to write; it may be the input; `-` is standard output
     #[arg(short, long, value_name = "OUT")]

@@ -22,8 +22,7 @@ use crate::words::OutputWords;
 /// found exactly, and told. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Flatten {
-    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
-    #[arg(value_name = "IN")]
+    #[arg(help = crate::words::input_help(), value_name = "IN")]
     pub(super) input: PathBuf,
     /// The file to write: a mesh, or a picture named `.svg`; `-` is standard output, for a mesh
     #[arg(short, long, value_name = "OUT")]

@@ -21,8 +21,7 @@ use crate::words::{self, Welding};
 /// numbers are the Betti numbers mod 2 of what is there, and in the end those that `check` gives.
 #[derive(Debug, Args)]
 pub(crate) struct Incremental {
-    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
-    #[arg(value_name = "FILE")]
+    #[arg(help = words::input_help(), value_name = "FILE")]
     pub(super) file: PathBuf,
     #[command(flatten)]
     from: InputWords,

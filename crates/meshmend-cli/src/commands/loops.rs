@@ -21,8 +21,7 @@ use crate::streams::{InputWords, name};
 /// and the reason is told. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Loops {
-    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
-    #[arg(value_name = "FILE")]
+    #[arg(help = crate::words::input_help(), value_name = "FILE")]
     pub(super) file: PathBuf,
     #[command(flatten)]
     from: InputWords,

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use meshmend::Format;
 use meshmend::shapes::{NamedShape, Shape, ShapeError, Sizes};
 
 use crate::console::Console;
@@ -67,7 +66,7 @@ impl Make {
         };
         let options = self.words.options(output)?;
         reserve(output, Report::Text, console)?;
-        let needs_triangles = self.triangles || options.format == Some(Format::Stl);
+        let needs_triangles = self.triangles || options.format.is_some_and(|format| !format.holds_polygons());
         let progress = console.progress(2);
         progress.step("make");
         let shape = self.shape(named, needs_triangles).map_err(|error| Failure::usage(error.to_string()))?;

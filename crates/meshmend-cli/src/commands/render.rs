@@ -21,8 +21,7 @@ use crate::words::{self, Welding};
 /// What passes behind faces is drawn pale and thin. Backs of faces are bluish and hatched.
 #[derive(Debug, Args)]
 pub(crate) struct Render {
-    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
-    #[arg(value_name = "FILE")]
+    #[arg(help = words::input_help(), value_name = "FILE")]
     pub(super) input: PathBuf,
     /// The file to write, named `.svg` or `.png`; `-` is standard output
     #[arg(short, long, value_name = "PICTURE")]

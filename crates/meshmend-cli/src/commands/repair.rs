@@ -26,8 +26,7 @@ use crate::words::{self, OutputWords};
 /// No face is removed that is not degenerate, non-finite or there twice. The output appears whole or not at all.
 #[derive(Debug, Args)]
 pub(crate) struct Repair {
-    /// The mesh file: OBJ, PLY, STL or OFF; `-` is standard input
-    #[arg(value_name = "IN")]
+    #[arg(help = words::input_help(), value_name = "IN")]
     pub(super) input: PathBuf,
     /// The file to write; it may be the input; `-` is standard output, and the report goes to standard error
     #[arg(short, long, value_name = "OUT", required_unless_present = "dry_run")]

@@ -4,11 +4,11 @@ use crate::Format;
 use crate::formats::driver::Driver;
 
 macro_rules! table {
-    ($($(#[$doc:meta])* $format:ident => $folder:ident,)*) => {
+    ($($(#[doc = $doc:literal])* $(#[cfg($only:meta)])? $format:ident => $folder:ident,)*) => {
         /// The driver of a format.
         pub(crate) fn driver(format: Format) -> &'static Driver {
             match format {
-                $(Format::$format => &crate::formats::$folder::DRIVER,)*
+                $($(#[cfg($only)])? Format::$format => &crate::formats::$folder::DRIVER,)*
             }
         }
     };

@@ -9,22 +9,22 @@ use crate::Encoding;
 use crate::formats::facts::Facts;
 
 macro_rules! variants {
-    ($($(#[$doc:meta])* $format:ident => $folder:ident,)*) => {
+    ($($(#[doc = $doc:literal])* $(#[cfg($only:meta)])? $format:ident => $folder:ident,)*) => {
         /// A file format that is read and written.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
         #[serde(rename_all = "kebab-case")]
         #[non_exhaustive]
         pub enum Format {
-            $($(#[$doc])* $format,)*
+            $($(#[doc = $doc])* $(#[cfg($only)])? $format,)*
         }
 
         impl Format {
             /// Every format.
-            pub const ALL: &'static [Format] = &[$(Format::$format,)*];
+            pub const ALL: &'static [Format] = &[$($(#[cfg($only)])? Format::$format,)*];
 
             fn facts(self) -> &'static Facts {
                 match self {
-                    $(Format::$format => &crate::formats::$folder::facts::FACTS,)*
+                    $($(#[cfg($only)])? Format::$format => &crate::formats::$folder::facts::FACTS,)*
                 }
             }
         }
@@ -57,6 +57,11 @@ impl Format {
     /// Whether faces may have more than three corners; else the writer cuts them, which is a named loss.
     pub fn holds_polygons(self) -> bool {
         self.facts().holds_polygons
+    }
+
+    /// Whether faces name vertices by index; else each face has vertices of its own, and only their places tell them apart.
+    pub fn has_indices(self) -> bool {
+        self.facts().has_indices
     }
 
     /// The format of an extension, in any case and without the dot.

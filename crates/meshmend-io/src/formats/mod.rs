@@ -12,10 +12,12 @@ pub(crate) mod encoding;
 pub(crate) mod facts;
 pub(crate) mod foreign;
 pub(crate) mod format;
+#[cfg(test)]
+mod tests;
 
 macro_rules! folders {
-    ($($(#[$doc:meta])* $format:ident => $folder:ident,)*) => {
-        $(pub(crate) mod $folder;)*
+    ($($(#[doc = $doc:literal])* $(#[cfg($only:meta)])? $format:ident => $folder:ident,)*) => {
+        $($(#[cfg($only)])? pub(crate) mod $folder;)*
     };
 }
 

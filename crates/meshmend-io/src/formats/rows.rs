@@ -13,6 +13,9 @@ macro_rules! with_formats {
             Stl => stl,
             /// Object file format of Geomview.
             Off => off,
+            /// The example of CONTRIBUTING.
+            #[cfg(test)]
+            Toy => toy,
         }
     };
 }

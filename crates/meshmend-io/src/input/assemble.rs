@@ -17,7 +17,7 @@ pub(crate) struct Parts {
     pub(crate) loose_points: Vec<VertexId>,
     pub(crate) layers: Vec<Layer>,
     pub(crate) metadata: Vec<Metadata>,
-    pub(crate) highest: MaxIndex,
+    pub(crate) max_index: MaxIndex,
     pub(crate) notes: Notes,
 }
 
@@ -38,9 +38,9 @@ impl Parts {
     }
 
     /// Takes faces that were parsed elsewhere and come after all that are here, with the highest index in them.
-    pub(crate) fn take_faces(&mut self, faces: &FaceTableBuilder, highest: MaxIndex) {
+    pub(crate) fn take_faces(&mut self, faces: &FaceTableBuilder, max_index: MaxIndex) {
         self.faces.append(faces);
-        self.highest.see_all(highest);
+        self.max_index.see_all(max_index);
     }
 
     /// The mesh, or an error at the highest index if there is no such vertex. `first` is the number of the first
@@ -52,7 +52,7 @@ impl Parts {
         place: impl Fn(usize) -> Place,
     ) -> Result<(PolygonMesh, Notes), ReadError> {
         let count = self.positions.len();
-        if let Some((index, at)) = self.highest.beyond(count) {
+        if let Some((index, at)) = self.max_index.beyond(count) {
             let number = u64::from(index) + first;
             return Err(source.malformed(place(at), no_such_vertex(number as i64, count)));
         }

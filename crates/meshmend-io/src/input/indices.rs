@@ -32,7 +32,7 @@ impl MaxIndex {
 #[derive(Default)]
 pub(crate) struct Uses {
     uses: Vec<u32>,
-    highest: MaxIndex,
+    max_index: MaxIndex,
 }
 
 impl Uses {
@@ -41,14 +41,14 @@ impl Uses {
     pub(crate) fn set(&mut self, element: usize, value: u32, at: usize) {
         self.uses.resize(element, meshmend_core::NO_VALUE);
         self.uses.push(value);
-        self.highest.see(value, at);
+        self.max_index.see(value, at);
     }
 
     /// Lets the element after all that have a value use one.
     #[inline]
     pub(crate) fn push(&mut self, value: u32, at: usize) {
         self.uses.push(value);
-        self.highest.see(value, at);
+        self.max_index.see(value, at);
     }
 
     /// Lets as many elements from this one on use what those of another list use, which come later in the file.
@@ -56,7 +56,7 @@ impl Uses {
         if !later.is_empty() {
             self.uses.resize(element, meshmend_core::NO_VALUE);
             self.uses.extend_from_slice(&later.uses);
-            self.highest.see_all(later.highest);
+            self.max_index.see_all(later.max_index);
         }
     }
 
@@ -77,21 +77,21 @@ impl Uses {
     /// What to return to when what follows is to be forgotten.
     #[inline]
     pub(crate) fn mark(&self) -> (usize, MaxIndex) {
-        (self.uses.len(), self.highest)
+        (self.uses.len(), self.max_index)
     }
 
     /// Forgets what came after a mark.
     #[inline]
-    pub(crate) fn return_to(&mut self, (length, highest): (usize, MaxIndex)) {
+    pub(crate) fn return_to(&mut self, (length, max_index): (usize, MaxIndex)) {
         self.uses.truncate(length);
-        self.highest = highest;
+        self.max_index = max_index;
     }
 
     /// The uses of all elements; values that don't exist are counted, with the place of the highest, and taken
     /// away.
     pub(crate) fn checked(mut self, elements: usize, values: usize) -> (Vec<u32>, Option<(u64, usize)>) {
         self.uses.resize(elements, meshmend_core::NO_VALUE);
-        let Some((_, at)) = self.highest.beyond(values) else {
+        let Some((_, at)) = self.max_index.beyond(values) else {
             return (self.uses, None);
         };
         let mut wrong = 0;

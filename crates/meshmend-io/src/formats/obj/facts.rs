@@ -10,6 +10,7 @@ pub(crate) const FACTS: Facts = Facts {
     encodings: &[Encoding::Ascii],
     variant: |_| "obj",
     holds_polygons: true,
+    has_indices: true,
     sniff: |head, _| sniff(head),
 };
 

@@ -256,7 +256,7 @@ impl SequentialReader<UsualStatements> for Reader<'_> {
         self.normals.append(&rows.normals);
         self.texcoord_uses.append(corners, &rows.texcoord_uses);
         self.normal_uses.append(corners, &rows.normal_uses);
-        self.parts.take_faces(&rows.faces, rows.highest);
+        self.parts.take_faces(&rows.faces, rows.max_index);
         self.cursor.at = end;
     }
 

@@ -66,7 +66,7 @@ impl<'a> Reader<'a> {
         let count = self.parts.positions.len();
         match resolved(raw, count) {
             Some(index) => {
-                self.parts.highest.see(index, start);
+                self.parts.max_index.see(index, start);
                 Ok(index)
             }
             None if raw == 0 => Err(self.cursor.wrong(start, "vertex index 0: the first vertex is 1")),

@@ -16,7 +16,7 @@ pub(super) struct UsualStatements {
     pub(super) texcoords: Pool,
     pub(super) normals: Pool,
     pub(super) faces: FaceTableBuilder,
-    pub(super) highest: MaxIndex,
+    pub(super) max_index: MaxIndex,
     /// Of all corners, or of none.
     pub(super) texcoord_uses: Uses,
     pub(super) normal_uses: Uses,
@@ -33,7 +33,7 @@ impl UsualRows for UsualStatements {
         self.texcoords.clear();
         self.normals.clear();
         self.faces.clear();
-        self.highest = MaxIndex::default();
+        self.max_index = MaxIndex::default();
         self.texcoord_uses.clear();
         self.normal_uses.clear();
     }
@@ -88,13 +88,13 @@ impl UsualStatements {
 
     #[inline]
     fn face(&mut self, line: UsualLine<'_>) -> Option<usize> {
-        let before = (self.highest, self.texcoord_uses.mark(), self.normal_uses.mark());
+        let before = (self.max_index, self.texcoord_uses.mark(), self.normal_uses.mark());
         let end = self.corners(line).filter(|_| self.corners_are_alike());
         if end.is_some() {
             self.faces.end_face();
         } else {
             self.faces.abandon_face();
-            self.highest = before.0;
+            self.max_index = before.0;
             self.texcoord_uses.return_to(before.1);
             self.normal_uses.return_to(before.2);
         }
@@ -113,7 +113,7 @@ impl UsualStatements {
         while line.has_more() {
             let start = line.at;
             let vertex = line.digits()?.checked_sub(1)?;
-            self.highest.see(vertex, start);
+            self.max_index.see(vertex, start);
             self.faces.push_corner(VertexId(vertex));
             if line.accept_byte(b'/') {
                 self.attributes(&mut line, start)?;

@@ -52,7 +52,7 @@ fn read_form<'a>(
         }
         FacePlacement::Anywhere => (0..face_count).try_for_each(|_| face(&mut reader))?,
     }
-    if reader.find_line() || reader.parts.highest.beyond(vertex_count).is_some() {
+    if reader.find_line() || reader.parts.max_index.beyond(vertex_count).is_some() {
         return None;
     }
     reader.at = at;

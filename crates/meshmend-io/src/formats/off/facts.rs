@@ -11,6 +11,7 @@ pub(crate) const FACTS: Facts = Facts {
     encodings: &[Encoding::Ascii],
     variant: |_| "off",
     holds_polygons: true,
+    has_indices: true,
     sniff: |head, _| sniff(head),
 };
 

@@ -90,7 +90,7 @@ impl<'a> Reader<'a> {
                 let Ok(vertex) = u32::try_from(index) else {
                     return Err(self.wrong(self.at, &format!("{index} is no index of a vertex")));
                 };
-                self.parts.highest.see(vertex, self.at);
+                self.parts.max_index.see(vertex, self.at);
                 self.parts.faces.push_corner(VertexId(vertex));
                 self.at += length;
                 Ok(())

@@ -137,7 +137,7 @@ impl SequentialReader<UsualFaces> for FaceSection<'_, '_> {
         let is_within = faces.face_count() + rows.faces.face_count() <= self.count
             && corners <= self.reader.limits.max_corners;
         if is_within {
-            self.reader.parts.take_faces(&rows.faces, rows.highest);
+            self.reader.parts.take_faces(&rows.faces, rows.max_index);
             self.reader.at = end;
         }
     }

@@ -35,7 +35,7 @@ impl UsualRows for UsualVertices {
 #[derive(Default)]
 pub(super) struct UsualFaces {
     pub(super) faces: FaceTableBuilder,
-    pub(super) highest: MaxIndex,
+    pub(super) max_index: MaxIndex,
 }
 
 impl UsualRows for UsualFaces {
@@ -45,18 +45,18 @@ impl UsualRows for UsualFaces {
 
     fn clear(&mut self) {
         self.faces.clear();
-        self.highest = MaxIndex::default();
+        self.max_index = MaxIndex::default();
     }
 
     #[inline]
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
-        let before = self.highest;
+        let before = self.max_index;
         let end = self.corners(UsualLine::from(text, at));
         if end.is_some() {
             self.faces.end_face();
         } else {
             self.faces.abandon_face();
-            self.highest = before;
+            self.max_index = before;
         }
         end
     }
@@ -67,7 +67,7 @@ impl UsualFaces {
     fn corners(&mut self, mut line: UsualLine<'_>) -> Option<usize> {
         for _ in 0..line.whole()? {
             let (vertex, at) = line.placed_whole()?;
-            self.highest.see(vertex, at);
+            self.max_index.see(vertex, at);
             self.faces.push_corner(VertexId(vertex));
         }
         line.end()

@@ -14,6 +14,7 @@ pub(crate) const FACTS: Facts = Facts {
         Encoding::BigEndian => "ply-be",
     },
     holds_polygons: true,
+    has_indices: true,
     sniff: |head, _| sniff(head),
 };
 

@@ -75,7 +75,7 @@ impl RowReader for FaceRowReader<'_, '_> {
         if corners > self.limits.max_corners {
             return false;
         }
-        self.parts.take_faces(&rows.faces, rows.highest);
+        self.parts.take_faces(&rows.faces, rows.max_index);
         let others = (0..self.element.properties.len()).filter(|&column| column != self.list);
         self.columns.append(others, &rows.others);
         true
@@ -112,7 +112,7 @@ impl EdgeRowReader<'_> {
         let (index, at) = found;
         let index = u32::try_from(index);
         let index = index.map_err(|_| data.wrong(at, &format!("{} is no index of a vertex", found.0)))?;
-        self.parts.highest.see(index, at);
+        self.parts.max_index.see(index, at);
         Ok(VertexId::new(index as usize))
     }
 }
@@ -124,11 +124,11 @@ impl FaceRowReader<'_, '_> {
         let count = data.length(length, property.item)?;
         let corners = self.parts.faces.corner_count() as u64 + count as u64;
         self.source.limited("corners", corners, self.limits.max_corners)?;
-        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
+        let (faces, max_index) = (&mut self.parts.faces, &mut self.parts.max_index);
         let mut wrong = None;
         data.indices(property.item, count, |index, at| match u32::try_from(index) {
             Ok(index) => {
-                highest.see(index, at);
+                max_index.see(index, at);
                 faces.push_corner(VertexId(index));
             }
             Err(_) => wrong = wrong.or(Some((index, at))),

@@ -50,7 +50,7 @@ impl StripReader<'_, '_> {
     fn strip(&mut self, property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
         let length = property.length.unwrap_or(property.item);
         let count = data.length(length, property.item)?;
-        let (faces, highest) = (&mut self.parts.faces, &mut self.parts.highest);
+        let (faces, max_index) = (&mut self.parts.faces, &mut self.parts.max_index);
         let (mut before, mut seen, mut wrong) = ([VertexId(0); 2], 0_usize, None);
         data.indices(property.item, count, |index, at| {
             let Ok(index) = u32::try_from(index) else {
@@ -60,7 +60,7 @@ impl StripReader<'_, '_> {
                 seen = 0;
                 return;
             };
-            highest.see(index, at);
+            max_index.see(index, at);
             let ([a, b], c) = (before, VertexId(index));
             if seen >= 2 {
                 if a == b || b == c || a == c {

@@ -15,7 +15,7 @@ pub(super) struct ParsedRows {
     pub(super) rows: usize,
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) faces: FaceTableBuilder,
-    pub(super) highest: MaxIndex,
+    pub(super) max_index: MaxIndex,
     /// The numbers that are no coordinates, row by row; doubles hold each type's values exactly.
     pub(super) others: Vec<f64>,
 }
@@ -65,8 +65,8 @@ impl ParsedRows {
 
     fn of(kind: Kind, cells: Vec<Cell>) -> Self {
         let (positions, others) = (Vec::new(), Vec::new());
-        let (faces, highest) = (FaceTableBuilder::default(), MaxIndex::default());
-        ParsedRows { kind, cells, rows: 0, positions, faces, highest, others }
+        let (faces, max_index) = (FaceTableBuilder::default(), MaxIndex::default());
+        ParsedRows { kind, cells, rows: 0, positions, faces, max_index, others }
     }
 
     #[inline]
@@ -78,7 +78,7 @@ impl ParsedRows {
                 Cell::Indices(length, item) => {
                     for _ in 0..whole(&mut line, length)? {
                         let vertex = whole(&mut line, item)?;
-                        self.highest.see(vertex, line.at - 1);
+                        self.max_index.see(vertex, line.at - 1);
                         self.faces.push_corner(VertexId(vertex));
                     }
                 }
@@ -97,17 +97,17 @@ impl UsualRows for ParsedRows {
         self.rows = 0;
         self.positions.clear();
         self.faces.clear();
-        self.highest = MaxIndex::default();
+        self.max_index = MaxIndex::default();
         self.others.clear();
     }
 
     #[inline]
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize> {
-        let (others, highest, mut point) = (self.others.len(), self.highest, [0.0; 3]);
+        let (others, max_index, mut point) = (self.others.len(), self.max_index, [0.0; 3]);
         let end = self.row(UsualLine::from(text, at), &mut point);
         if end.is_none() {
             self.others.truncate(others);
-            self.highest = highest;
+            self.max_index = max_index;
             self.faces.abandon_face();
             return None;
         }

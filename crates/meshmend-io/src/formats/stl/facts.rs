@@ -14,6 +14,7 @@ pub(crate) const FACTS: Facts = Facts {
         Encoding::LittleEndian | Encoding::BigEndian => "stl-binary",
     },
     holds_polygons: false,
+    has_indices: false,
     sniff,
 };
 

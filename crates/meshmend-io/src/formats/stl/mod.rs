@@ -25,7 +25,6 @@ mod prepare;
 mod read;
 mod read_binary;
 mod read_text;
-mod shape;
 mod solid_names;
 mod triangles;
 mod usual_facets;

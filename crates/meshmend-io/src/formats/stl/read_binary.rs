@@ -8,9 +8,9 @@ use crate::binary::block_reader::BlockReader;
 use crate::formats::stl::colors;
 use crate::formats::stl::form::{ATTRIBUTE, FACET, HEAD, HEADER, claimed_length, little_endian};
 use crate::formats::stl::normals::Recomputed;
-use crate::formats::stl::shape::StlShape;
 use crate::input::assemble::Parts;
 use crate::input::source::{Parsed, Source};
+use crate::shell::NoChoices;
 use crate::text::one_or_many;
 use crate::{Encoding, Format, Limits, NoteKind, Place, ReadError, Shell};
 
@@ -50,7 +50,7 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
         parts.metadata.push(Metadata { key: HEADER.to_owned(), value: header[..length].to_vec() });
     }
     let (mesh, notes) = parts.assemble(source, 0, |at| Place::Byte(at as u64))?;
-    let shell = Shell::of_file(Format::Stl, Encoding::LittleEndian, StlShape);
+    let shell = Shell::of_file(Format::Stl, Encoding::LittleEndian, NoChoices);
     Ok(Parsed { mesh, notes, shell })
 }
 

@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 
 use crate::formats::stl::form::SOLID;
 use crate::formats::stl::normals::{Recomputed, roughly};
-use crate::formats::stl::shape::StlShape;
 use crate::formats::stl::solid_names::SolidNames;
 use crate::formats::stl::usual_facets::UsualFacets;
 use crate::input::assemble::Parts;
 use crate::input::source::{Parsed, Source};
+use crate::shell::NoChoices;
 use crate::text::speculative_parse::{SequentialReader, read_speculatively};
 use crate::text::{self, is_space};
 use crate::{Encoding, Format, Limits, NoteKind, Place, ReadError, Shell};
@@ -201,7 +201,7 @@ impl<'a> Reader<'a> {
         let source = self.source;
         self.recomputed.note(&mut self.parts.notes, |at| source.line(at));
         let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
-        let shell = Shell::of_file(Format::Stl, Encoding::Ascii, StlShape);
+        let shell = Shell::of_file(Format::Stl, Encoding::Ascii, NoChoices);
         Ok(Parsed { mesh, notes, shell })
     }
 

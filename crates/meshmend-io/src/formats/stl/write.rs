@@ -13,7 +13,7 @@ use crate::output::layer_losses::{absent, absent_loss, layer_losses, loose_losse
 use crate::output::sink::Sink;
 use crate::output::statements::metadata_losses;
 use crate::text::{one_or_many, trimmed};
-use crate::{Encoding, Format, Loss, LossKind, Prepared, WriteErrorKind};
+use crate::{Encoding, Loss, LossKind, Prepared, WriteErrorKind};
 
 pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
     let mesh = &prepared.mesh;
@@ -223,8 +223,8 @@ fn geometry_losses(prepared: &Prepared) -> Vec<Loss> {
 /// How many vertices are where an earlier one is, and are told from it by the mesh alone. Where each corner has a vertex of
 /// its own, as in an STL file that was read, nothing tells them apart; what rounding joins is named as such.
 fn parted_vertices(prepared: &Prepared, uses: &[u32]) -> usize {
-    let is_from_stl = prepared.options.shell.format() == Some(Format::Stl);
-    if is_from_stl && uses.iter().all(|&uses| uses < 2) {
+    let is_without_indices = prepared.options.shell.format().is_some_and(|format| !format.has_indices());
+    if is_without_indices && uses.iter().all(|&uses| uses < 2) {
         return 0;
     }
     let mut coincident = 0;

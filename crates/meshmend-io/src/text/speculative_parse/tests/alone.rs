@@ -1,0 +1,82 @@
+//! Whatever is parsed ahead, and wherever chunks end: the answer is that of the reader alone.
+
+use super::random::Random;
+use crate::formats::drivers::driver;
+use crate::input::source::Source;
+use crate::text::speculative_parse::Pace;
+use crate::{Format, Limits};
+
+/// How often, once in so many lines, there is something that is not plain, and something that is wrong.
+#[derive(Clone, Copy)]
+pub(super) struct Oddity {
+    pub(super) rare: usize,
+    pub(super) wrong: usize,
+}
+
+const ODDITIES: [Oddity; 5] = [
+    Oddity { rare: 0, wrong: 0 },
+    Oddity { rare: 12, wrong: 0 },
+    Oddity { rare: 2, wrong: 0 },
+    Oddity { rare: 12, wrong: 30 },
+    Oddity { rare: 0, wrong: 40 },
+];
+
+/// What a reader says, down to the bits of each number.
+fn outcome(format: Format, text: &str, pace: Pace, limits: &Limits) -> String {
+    let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace };
+    match (driver(format).read)(&source, limits) {
+        Ok(parsed) => {
+            format!("{:?} {:?} {:?}", parsed.mesh, parsed.shell.encoding(), parsed.notes.into_list())
+        }
+        Err(error) => format!("{error:?}"),
+    }
+}
+
+fn assert_as_alone(format: Format, text: &str, chunks: &[usize]) {
+    for limits in limits_of(format, text) {
+        let alone = outcome(format, text, Pace::NONE, &limits);
+        for &chunk in chunks {
+            for chunks in [1, 3] {
+                let ahead = outcome(format, text, Pace { chunk, chunks }, &limits);
+                assert_eq!(ahead, alone, "{chunks} chunks of {chunk} bytes, {limits:?}: {text:?}");
+            }
+        }
+    }
+}
+
+/// The usual limits, and for each count what a text has, and one less.
+fn limits_of(format: Format, text: &str) -> Vec<Limits> {
+    let usual = Limits::default();
+    let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace: Pace::NONE };
+    let Ok(parsed) = (driver(format).read)(&source, &usual) else { return vec![usual] };
+    let counts = parsed.mesh.counts();
+    let corners = parsed.mesh.faces().corner_count() as u64;
+    let [vertices, faces] = [counts.vertices, counts.faces].map(|count| count as u64);
+    let exact = Limits { max_vertices: vertices, max_faces: faces, max_corners: corners, ..usual };
+    let limits = [
+        usual,
+        exact,
+        Limits { max_vertices: vertices.saturating_sub(1), ..usual },
+        Limits { max_faces: faces.saturating_sub(1), ..usual },
+        Limits { max_corners: corners.saturating_sub(1), ..usual },
+        Limits { max_comments: 1, ..usual },
+    ];
+    limits.to_vec()
+}
+
+/// Texts of every oddity, small ones in tiny chunks and larger ones in small chunks.
+pub(super) fn assert_all_as_alone(format: Format, text: impl Fn(&mut Random, usize, Oddity) -> String) {
+    let (small, large) = (120, 8);
+    let mut random = Random(1);
+    for oddity in ODDITIES {
+        for _ in 0..small {
+            let lines = 1 + random.below(40);
+            let text = text(&mut random, lines, oddity);
+            assert_as_alone(format, &text, &[1, 2, 5, 17, 64, 300]);
+        }
+        for _ in 0..large {
+            let text = text(&mut random, 1500, oddity);
+            assert_as_alone(format, &text, &[1000, 10_000]);
+        }
+    }
+}
