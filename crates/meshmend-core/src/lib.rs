@@ -21,6 +21,8 @@ mod classes;
 mod column;
 mod defects;
 mod edges;
+#[cfg(test)]
+mod error_cases;
 mod faces;
 mod ids;
 mod kernel;
@@ -48,6 +50,6 @@ pub use kernel::{
     Capabilities, Connectivity, EdgeClass, EdgeUse, ManifoldConnectivity, Refusal, Umbrellas, VertexClass,
     admission, edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas, vertex_classes,
 };
-pub use polygon_mesh::{Counts, MeshError, Metadata, PolygonMesh};
+pub use polygon_mesh::{Counts, MeshArrays, MeshError, Metadata, PolygonMesh};
 pub use printable::printable;
 pub use words::counted;

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// Why a mesh was not cut.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum CutError {
     /// The mesh has no such edge.
     #[error("{0} is no edge of the mesh")]

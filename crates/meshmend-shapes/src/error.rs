@@ -7,6 +7,7 @@ use crate::parameter::Parameter;
 
 /// Why there is no such shape.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum ShapeError {
     /// A size is below the least for which the shape is what its name says.
     #[error("{size} has to be at least {least}, but is {given}")]

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use super::role::Turn;
-use crate::{CornerId, Id, Role, Values};
+use crate::{CornerId, FaceTable, Id, Role, Values};
 
 /// The use of an element that has no value.
 pub const NO_VALUE: u32 = u32::MAX;
@@ -170,6 +170,24 @@ impl Layer {
             None => Some(element),
             Some(uses) => uses.get(element).filter(|&&value| value != NO_VALUE).map(|&value| value as usize),
         }
+    }
+
+    /// For each corner of the faces of the layer's mesh, the value that it has: its own, or that of its vertex or face. A layer
+    /// of loose elements has no value at a corner.
+    ///
+    /// So texture coordinates are found at the corners, wherever the layer is. See
+    /// [`PolygonMesh::layer_named`](crate::PolygonMesh::layer_named) for an example.
+    ///
+    /// *Cost*: constant for each corner.
+    pub fn corner_values(&self, faces: &FaceTable) -> impl Iterator<Item = Option<usize>> {
+        faces.faces().flat_map(move |face| {
+            faces.face_corners(face).map(move |corner| match self.domain {
+                Domain::Corner => self.value_of(corner.index()),
+                Domain::Vertex => self.value_of(faces.corner_vertex(corner).index()),
+                Domain::Face => self.value_of(face.index()),
+                Domain::LooseEdge | Domain::LoosePoint => None,
+            })
+        })
     }
 
     /// Whether two elements have the same value to the bit, or both none.

@@ -55,6 +55,21 @@ impl Values {
         self.len() == 0
     }
 
+    /// The number at a place of the pool, exactly, as a double. `None` beyond its end, and for names and lists.
+    pub fn number(&self, place: usize) -> Option<f64> {
+        match self {
+            Values::I8(v) => v.get(place).copied().map(f64::from),
+            Values::U8(v) => v.get(place).copied().map(f64::from),
+            Values::I16(v) => v.get(place).copied().map(f64::from),
+            Values::U16(v) => v.get(place).copied().map(f64::from),
+            Values::I32(v) => v.get(place).copied().map(f64::from),
+            Values::U32(v) => v.get(place).copied().map(f64::from),
+            Values::F32(v) => v.get(place).copied().map(f64::from),
+            Values::F64(v) => v.get(place).copied(),
+            Values::Text(_) | Values::Lists { .. } => None,
+        }
+    }
+
     /// Whether the numbers from `one` and from `other` on are the same to the bit.
     pub(crate) fn same_bits(&self, one: usize, other: usize, width: usize) -> bool {
         fn slices<T>(v: &[T], one: usize, other: usize, width: usize, same: impl Fn(&T, &T) -> bool) -> bool {

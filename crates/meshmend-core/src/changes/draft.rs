@@ -59,6 +59,7 @@ pub struct Loose {
 
 /// Why a draft makes no mesh: a mistake of the pass, never of the input.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum DraftError {
     /// A list has not one entry for each element.
     #[error("a draft has {}, but needs {expected}", counted(found, what))]

@@ -45,7 +45,7 @@ impl FaceTable {
     /// *Cost*: one pass over the corners.
     pub fn triangles(vertex_count: usize, corners: Vec<VertexId>) -> Result<Self, FaceTableError> {
         if !corners.len().is_multiple_of(3) {
-            return Err(FaceTableError::BadStarts { corner_count: corners.len() });
+            return Err(FaceTableError::NotTriangles { corner_count: corners.len() });
         }
         let table = FaceTable { vertex_count, starts: None, corners };
         table.checked()
@@ -71,11 +71,7 @@ impl FaceTable {
         starts: Vec<u32>,
         corners: Vec<VertexId>,
     ) -> Result<Self, FaceTableError> {
-        let ascend = starts.windows(2).all(|pair| pair[0] <= pair[1]);
-        let ends = starts.first() == Some(&0) && starts.last().map(|&s| s as usize) == Some(corners.len());
-        if !ascend || !ends {
-            return Err(FaceTableError::BadStarts { corner_count: corners.len() });
-        }
+        check_starts(&starts, corners.len())?;
         let all_triangles = starts.windows(2).all(|pair| pair[1] - pair[0] == 3);
         let starts = if all_triangles { None } else { Some(starts) };
         FaceTable { vertex_count, starts, corners }.checked()
@@ -90,7 +86,8 @@ impl FaceTable {
     /// *Cost*: one pass over the corners.
     pub fn over(&self, vertex_count: usize, corners: Vec<VertexId>) -> Result<Self, FaceTableError> {
         if corners.len() != self.corners.len() {
-            return Err(FaceTableError::BadStarts { corner_count: corners.len() });
+            let (found, expected) = (corners.len(), self.corners.len());
+            return Err(FaceTableError::CornerCount { found, expected });
         }
         FaceTable { vertex_count, starts: self.starts.clone(), corners }.checked()
     }
@@ -114,11 +111,15 @@ impl FaceTable {
         }
         match self.corners.iter().position(|v| v.index() >= self.vertex_count) {
             None => Ok(self),
-            Some(corner) => Err(FaceTableError::NoSuchVertex {
-                face: self.corner_face(CornerId::new(corner)).index(),
-                vertex: self.corners[corner].0,
-                vertex_count: self.vertex_count,
-            }),
+            Some(place) => {
+                let face = self.corner_face(CornerId::new(place));
+                Err(FaceTableError::NoSuchVertex {
+                    face: face.index(),
+                    corner: place - self.corner_range(face).start,
+                    vertex: self.corners[place].0,
+                    vertex_count: self.vertex_count,
+                })
+            }
         }
     }
 
@@ -222,6 +223,23 @@ impl FaceTable {
     }
 }
 
+/// Whether starts ascend from 0 to the number of corners; else what is wrong, and where.
+fn check_starts(starts: &[u32], corner_count: usize) -> Result<(), FaceTableError> {
+    let (Some(&first), Some(&last)) = (starts.first(), starts.last()) else {
+        return Err(FaceTableError::NoStarts);
+    };
+    if first != 0 {
+        return Err(FaceTableError::FirstStart { start: first });
+    }
+    if let Some(face) = starts.windows(2).position(|pair| pair[0] > pair[1]) {
+        return Err(FaceTableError::Descending { face, start: starts[face], end: starts[face + 1] });
+    }
+    if last as usize != corner_count {
+        return Err(FaceTableError::LastStart { start: last, corner_count });
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -236,8 +254,8 @@ mod tests {
         let table = FaceTable::polygons(5, vec![0, 2, 6], ids(&[0, 1, 1, 2, 3, 4])).unwrap();
         let other = table.over(2, ids(&[1, 0, 0, 1, 0, 1])).unwrap();
         assert_eq!(other, FaceTable::polygons(2, vec![0, 2, 6], ids(&[1, 0, 0, 1, 0, 1])).unwrap());
-        assert_eq!(table.over(2, ids(&[0, 1])), Err(FaceTableError::BadStarts { corner_count: 2 }));
-        let beyond = FaceTableError::NoSuchVertex { face: 1, vertex: 7, vertex_count: 2 };
+        assert_eq!(table.over(2, ids(&[0, 1])), Err(FaceTableError::CornerCount { found: 2, expected: 6 }));
+        let beyond = FaceTableError::NoSuchVertex { face: 1, corner: 0, vertex: 7, vertex_count: 2 };
         assert_eq!(table.over(2, ids(&[0, 1, 7, 0, 0, 0])), Err(beyond));
     }
 
@@ -334,16 +352,21 @@ mod tests {
     #[test]
     fn an_unknown_vertex_is_named_with_its_face() {
         let wrong = FaceTable::polygons(3, vec![0, 0, 3], ids(&[0, 1, 3]));
-        assert_eq!(wrong, Err(FaceTableError::NoSuchVertex { face: 1, vertex: 3, vertex_count: 3 }));
+        assert_eq!(
+            wrong,
+            Err(FaceTableError::NoSuchVertex { face: 1, corner: 2, vertex: 3, vertex_count: 3 })
+        );
     }
 
     #[test]
     fn starts_must_ascend_to_the_corner_count() {
-        for starts in [vec![], vec![0], vec![1, 3], vec![0, 4, 3], vec![0, 2]] {
-            let wrong = FaceTable::polygons(3, starts, ids(&[0, 1, 2]));
-            assert_eq!(wrong, Err(FaceTableError::BadStarts { corner_count: 3 }));
-        }
+        let wrong = |starts| FaceTable::polygons(3, starts, ids(&[0, 1, 2])).unwrap_err();
+        assert_eq!(wrong(vec![]), FaceTableError::NoStarts);
+        assert_eq!(wrong(vec![0]), FaceTableError::LastStart { start: 0, corner_count: 3 });
+        assert_eq!(wrong(vec![1, 3]), FaceTableError::FirstStart { start: 1 });
+        assert_eq!(wrong(vec![0, 4, 3]), FaceTableError::Descending { face: 1, start: 4, end: 3 });
+        assert_eq!(wrong(vec![0, 2]), FaceTableError::LastStart { start: 2, corner_count: 3 });
         let two = FaceTable::triangles(3, ids(&[0, 1]));
-        assert_eq!(two, Err(FaceTableError::BadStarts { corner_count: 2 }));
+        assert_eq!(two, Err(FaceTableError::NotTriangles { corner_count: 2 }));
     }
 }

@@ -6,6 +6,7 @@ use crate::words::{counted, there_are};
 
 /// Why parts don't make a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum MeshError {
     /// The faces were made for another number of vertices.
     #[error("the faces are over {}, but {}", counted(faces, "vertex"), there_are(*positions, "position"))]

@@ -33,7 +33,12 @@ impl PolygonMesh {
         if faces.vertex_count() != positions.len() {
             return Err(MeshError::VertexCount { faces: faces.vertex_count(), positions: positions.len() });
         }
-        Ok(PolygonMesh {
+        Ok(Self::of_fitting(positions, faces))
+    }
+
+    /// A mesh of positions and faces over as many vertices.
+    pub(super) fn of_fitting(positions: Vec<[f64; 3]>, faces: FaceTable) -> Self {
+        PolygonMesh {
             positions: Arc::new(positions),
             faces: Arc::new(faces),
             loose_edges: Arc::default(),
@@ -41,7 +46,7 @@ impl PolygonMesh {
             layers: Arc::default(),
             metadata: Arc::default(),
             complex: Arc::default(),
-        })
+        }
     }
 
     /// The mesh with these loose edges and points in place of its own.

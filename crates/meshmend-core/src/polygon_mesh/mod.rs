@@ -1,10 +1,12 @@
 //! The mesh as a value.
 
+mod arrays;
 mod counts;
 mod error;
 mod mesh;
 mod metadata;
 
+pub use arrays::MeshArrays;
 pub use counts::Counts;
 pub use error::MeshError;
 pub use mesh::PolygonMesh;

@@ -12,6 +12,7 @@ pub(crate) const LARGEST: u32 = 8192;
 
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum RenderError {
     /// A picture can't have that size.
     #[error("a picture of {width}x{height} pixels: each side must be from {SMALLEST} to {LARGEST}")]

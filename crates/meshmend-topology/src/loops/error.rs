@@ -7,6 +7,7 @@ use crate::ComponentId;
 
 /// Why there are no generators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum GeneratorError {
     /// The root that was asked for is in no face.
     #[error("{0} is in no face, so no path begins there")]
