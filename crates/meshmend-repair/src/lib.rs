@@ -9,6 +9,7 @@
 //!
 //! A [`Plan`] says the same in a file.
 
+mod apart;
 mod clean;
 mod compact;
 mod copies;

@@ -30,19 +30,19 @@ use crate::telling::Telling;
 use crate::{Context, Fixed, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames, TellingLayers};
 
 mod crossing;
-mod cycles;
+mod live_matching;
+mod manifold_fast_path;
 mod nesting;
 mod outward;
 mod patches;
-mod plain;
+mod repeats;
 mod seams;
-mod uses;
 mod winding;
 
-use cycles::Cycles;
+use live_matching::LiveUses;
 use outward::{Nested, PatchNamed};
 use patches::{Contradiction, Patches, Sides};
-use uses::LiveUses;
+use repeats::Cycles;
 
 /// Turns faces so that neighbours agree, and drops patches that are there twice.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -160,7 +160,7 @@ impl KernelTask for Task<'_> {
         let count = kernel.face_count();
         if cycles.is_empty()
             && self.options.side == Side::Majority
-            && let Some(is_flipped) = plain::flips(kernel)
+            && let Some(is_flipped) = manifold_fast_path::flips(kernel)
         {
             let is_alive = Column::filled(true, count);
             let found = Found { is_alive, is_flipped, non_orientable: Vec::new(), outward: Vec::new() };
@@ -196,7 +196,7 @@ impl Task<'_> {
         let start = (Column::filled(true, count), Column::filled(false, count));
         let policy = (Sides::Stored, Contradiction::Twists);
         let mut patches = Patches::new(kernel, self.mesh, cycles, policy, start);
-        patches.merge(&uses::pairs_as_stored(kernel, names, cycles.copies()));
+        patches.merge(&live_matching::pairs_as_stored(kernel, names, cycles.copies()));
         patches.drop_duplicates();
         patches.is_alive
     }

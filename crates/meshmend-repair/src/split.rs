@@ -29,19 +29,16 @@ use crate::matching::{Matching, StoredGroups, may_match};
 use crate::telling::Telling;
 use crate::{Context, Outcome, Pass, PassError, StoredNames};
 
-mod draft;
-mod names;
-mod parts;
 mod radial;
+mod regular_fast_path;
 mod seams;
 mod sheets;
-mod subdivide;
-mod whole;
 
-use names::NewVertices;
-use parts::VertexParts;
+use crate::apart::draft;
+use crate::apart::new_vertices::NewVertices;
+use crate::apart::parts::VertexParts;
+use crate::apart::subdivide::{self, Inserted};
 pub use seams::SeamFigures;
-use subdivide::Inserted;
 
 /// Takes a mesh apart until it is manifold, and no further.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -218,7 +215,7 @@ impl Task<'_> {
     fn is_whole<K: Connectivity>(&self, kernel: &K, names: &StoredNames<'_>) -> bool {
         let clashes = || kernel.edges().any(|edge| is_inconsistent(kernel, edge));
         let has_no_seam = self.options.seams == Seams::Keep || !clashes();
-        has_no_seam && whole::keeps_names(kernel, self.mesh, names)
+        has_no_seam && regular_fast_path::keeps_names(kernel, self.mesh, names)
     }
 
     fn outcome<K: Connectivity>(

@@ -7,8 +7,8 @@ use std::cmp::Reverse;
 
 use meshmend_core::{Column, Connectivity, FaceId, Joined, PolygonMesh, SidedClasses, Unjudged};
 
-use super::cycles::{Cycles, Owners};
-use super::uses::Pair;
+use super::live_matching::Pair;
+use super::repeats::{Cycles, Owners};
 use crate::matching::run_the_same_way;
 use meshmend_geometry::SignedVolume;
 

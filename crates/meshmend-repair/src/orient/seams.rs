@@ -7,7 +7,7 @@
 use meshmend_core::{Column, Connectivity, CornerId, FaceId, Joined, SidedClasses};
 use meshmend_topology::{DualEdge, short_seam};
 
-use super::uses::Pair;
+use super::live_matching::Pair;
 use crate::StoredNames;
 use crate::matching::run_the_same_way;
 

@@ -4,9 +4,9 @@ use meshmend_core::{Connectivity, CornerId, Defect, EdgeId, PolygonMesh, VertexC
 use petgraph::unionfind::UnionFind;
 use serde::Serialize;
 
-use super::names::NewVertices;
-use super::parts::corners_that_meet;
 use super::sheets::PatchSides;
+use crate::apart::new_vertices::NewVertices;
+use crate::apart::parts::corners_that_meet;
 use crate::matching::{Matching, run_the_same_way};
 
 /// What cutting non-orientable patches open along their seams took.

@@ -8,26 +8,26 @@ use meshmend_core::{Classes, Connectivity, CornerId, VertexClass, VertexId};
 use crate::matching::{Matching, run_the_same_way};
 
 /// The corners of some vertices, by the parts that they belong to.
-pub(super) struct VertexParts {
+pub(crate) struct VertexParts {
     /// The vertices that may have come apart, ascending, with what they were.
-    pub(super) vertices: Vec<(VertexId, VertexClass)>,
+    pub(crate) vertices: Vec<(VertexId, VertexClass)>,
     /// All parts, by vertex, then by lowest corner.
-    pub(super) parts: Vec<Part>,
+    pub(crate) parts: Vec<Part>,
     /// Each corner of these vertices, with the place of its part.
-    pub(super) corners: Vec<(CornerId, u32)>,
+    pub(crate) corners: Vec<(CornerId, u32)>,
 }
 
 /// A part of a vertex.
-pub(super) struct Part {
-    pub(super) vertex: VertexId,
-    pub(super) lowest_corner: CornerId,
+pub(crate) struct Part {
+    pub(crate) vertex: VertexId,
+    pub(crate) lowest_corner: CornerId,
 }
 
 impl VertexParts {
     /// The parts of vertices, whose sides are joined where they are matched, and where `joined` says so.
     ///
     /// *Cost*: O(Σ d log d) over the vertices' degrees d.
-    pub(super) fn of<K: Connectivity>(
+    pub(crate) fn of<K: Connectivity>(
         kernel: &K,
         matching: &Matching,
         joined: &[(CornerId, CornerId)],
@@ -64,7 +64,7 @@ impl VertexParts {
 }
 
 /// The corners at each end of an edge that are one vertex when two of its sides are joined.
-pub(super) fn corners_that_meet<K: Connectivity>(
+pub(crate) fn corners_that_meet<K: Connectivity>(
     kernel: &K,
     one: CornerId,
     other: CornerId,

@@ -6,15 +6,15 @@ use super::parts::VertexParts;
 use crate::StoredNames;
 
 /// The new vertices in order, and which of them each corner is at.
-pub(super) struct NewVertices {
+pub(crate) struct NewVertices {
     /// The new vertex at each corner of the complex.
-    pub(super) of_corner: Column<CornerId, VertexId>,
+    pub(crate) of_corner: Column<CornerId, VertexId>,
     /// For each new vertex the present vertex that it is a part of.
-    pub(super) present: Vec<VertexId>,
+    pub(crate) present: Vec<VertexId>,
     /// For each new vertex its point: that of its lowest vertex as stored.
-    pub(super) positions: Vec<[f64; 3]>,
+    pub(crate) positions: Vec<[f64; 3]>,
     /// For each present vertex the first new vertex that is a part of it.
-    pub(super) first_part: Vec<VertexId>,
+    pub(crate) first_part: Vec<VertexId>,
 }
 
 const NONE: VertexId = VertexId(u32::MAX);
@@ -25,7 +25,7 @@ impl NewVertices {
     /// the complex whose place is taken.
     ///
     /// *Cost*: linear, and n log n in the parts that follow at the end.
-    pub(super) fn name<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, parts: &VertexParts) -> Self {
+    pub(crate) fn name<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, parts: &VertexParts) -> Self {
         let pieces = Pieces::of(kernel, names, parts);
         let count = kernel.vertex_count() + parts.parts.len() - parts.vertices.len();
         let mut new = NewVertices {

@@ -4,12 +4,12 @@ use meshmend_core::{
     Blend, Column, CornerId, Draft, FaceTable, FaceTableBuilder, Id, PolygonMesh, Sources, VertexId,
 };
 
-use super::names::NewVertices;
+use super::new_vertices::NewVertices;
 use super::subdivide::Inserted;
 use crate::PassError;
 
 /// The draft of the mesh whose corners are at new vertices.
-pub(super) fn draft(mesh: &PolygonMesh, names: NewVertices, inserted: Inserted) -> Result<Draft, PassError> {
+pub(crate) fn draft(mesh: &PolygonMesh, names: NewVertices, inserted: Inserted) -> Result<Draft, PassError> {
     let NewVertices { of_corner, present, positions, first_part } = names;
     let created = inserted.vertices.len();
     let vertex_count = present.len() + created;

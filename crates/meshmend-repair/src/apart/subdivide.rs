@@ -9,26 +9,26 @@
 use meshmend_core::{Blend, Complex, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
 use smallvec::SmallVec;
 
-use super::names::NewVertices;
+use super::new_vertices::NewVertices;
 use crate::free_points::FreePoints;
 use crate::matching::Matching;
 use crate::{Context, PassError, Subdivision, Unused};
 
 /// What is inserted into the sides of an edge.
-pub(super) struct Inserted {
+pub(crate) struct Inserted {
     /// The new vertices, in order; the first follows the last vertex of the result so far.
-    pub(super) vertices: Vec<VertexDraft>,
+    pub(crate) vertices: Vec<VertexDraft>,
     /// For each side that gets one, the place of its new vertex in that list and where it is; by ascending corner.
-    pub(super) sides: Vec<(CornerId, u32, Blend)>,
+    pub(crate) sides: Vec<(CornerId, u32, Blend)>,
     /// The edges that were subdivided, ascending.
-    pub(super) edges: Vec<EdgeId>,
+    pub(crate) edges: Vec<EdgeId>,
 }
 
 /// Finds the edges that would coincide, and subdivides them.
 ///
 /// *Cost*: O(Σ d log d) over the degrees d of edges with more than two uses or unmatched ones; the positions are
 /// sorted only when there is something to do.
-pub(super) fn subdivide<K: Connectivity>(
+pub(crate) fn subdivide<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,
     matching: &Matching,
