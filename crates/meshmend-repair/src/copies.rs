@@ -14,11 +14,12 @@ use crate::telling::{Looks, Telling};
 const NONE: u32 = u32::MAX;
 
 /// Which faces repeat others and differ from them.
+#[derive(Clone, Debug)]
 pub(crate) struct Copies {
     copies: Column<FaceId, Copied>,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Copied {
     /// The number of the directed cycle.
     cycle: u32,

@@ -26,7 +26,9 @@ mod pipeline;
 mod plan;
 mod recompute;
 mod registry;
+mod sewing;
 mod split;
+mod stored_vertices;
 mod telling;
 mod triangulate;
 mod weld;
@@ -50,5 +52,3 @@ pub use split::{SeamFigures, Seams, Split, SplitEdges};
 pub use telling::TellingLayers;
 pub use triangulate::{Triangulate, TriangulateFaces};
 pub use weld::{Distance, Weld};
-
-pub(crate) use pass::StoredNames;

@@ -12,12 +12,13 @@
 
 use meshmend_core::{Column, Connectivity, CornerId, EdgeId, VertexId};
 
-use crate::StoredNames;
 use crate::copies::Copies;
+use crate::stored_vertices::StoredVertices;
 
 const FREE: CornerId = CornerId(u32::MAX);
 
 /// Each side's partner.
+#[derive(Clone, Debug)]
 pub(crate) struct Matching {
     mate: Column<CornerId, CornerId>,
 }
@@ -32,7 +33,7 @@ impl Matching {
     /// *Cost*: O(Σ d log d) over the edges' degrees d.
     pub(crate) fn by_rules<K: Connectivity>(
         kernel: &K,
-        names: &StoredNames<'_>,
+        stored: &StoredVertices<'_>,
         copies: Option<&Copies>,
     ) -> Self {
         let mut matching = Matching::free(kernel.corner_count());
@@ -46,7 +47,7 @@ impl Matching {
                 }
                 (_, _, None) => {}
                 _ => {
-                    let uses = groups.uses_of(kernel, names, edge);
+                    let uses = groups.uses_of(kernel, stored, edge);
                     for group in uses.chunk_by(|one, other| one.stored == other.stored) {
                         if let [one, other] = group
                             && may_match(kernel, copies, one.corner, other.corner)
@@ -66,12 +67,12 @@ impl Matching {
     pub(crate) fn pair_by_rank<K: Connectivity>(
         &mut self,
         kernel: &K,
-        names: &StoredNames<'_>,
+        stored: &StoredVertices<'_>,
         copies: &Copies,
     ) {
         let mut groups = StoredGroups::default();
         for edge in kernel.edges().filter(|&edge| kernel.edge_degree(edge) > 2) {
-            for pair in pairs_by_rank(kernel, copies, groups.uses_of(kernel, names, edge)) {
+            for pair in pairs_by_rank(kernel, copies, groups.uses_of(kernel, stored, edge)) {
                 self.pair_if_free(pair);
             }
         }
@@ -173,12 +174,12 @@ impl StoredGroups {
     pub(crate) fn uses_of<K: Connectivity>(
         &mut self,
         kernel: &K,
-        names: &StoredNames<'_>,
+        stored: &StoredVertices<'_>,
         edge: EdgeId,
     ) -> &[StoredUse] {
         self.uses.clear();
         self.uses.extend(kernel.edge_corners(edge).map(|corner| {
-            let (from, to) = (names.of(corner), names.of(kernel.next_corner(corner)));
+            let (from, to) = (stored.of(corner), stored.of(kernel.next_corner(corner)));
             StoredUse { stored: [from.min(to), from.max(to)], corner }
         }));
         if self.uses.len() > 2 {

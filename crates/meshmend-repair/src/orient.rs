@@ -26,8 +26,9 @@ use meshmend_topology::{OneSidedStrip, TopologyReport, orientability, patches as
 use serde::{Deserialize, Serialize};
 
 use crate::copies::looks;
+use crate::stored_vertices::StoredVertices;
 use crate::telling::Telling;
-use crate::{Context, Fixed, Outcome, Pass, PassError, Seams, Split, SplitEdges, StoredNames, TellingLayers};
+use crate::{Context, Fixed, Outcome, Pass, PassError, TellingLayers};
 
 mod crossing;
 mod live_matching;
@@ -155,7 +156,7 @@ impl KernelTask for Task<'_> {
     type Output = Result<Outcome, PassError>;
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
-        let names = StoredNames::new(self.mesh, self.context);
+        let names = StoredVertices::new(self.mesh, self.context);
         let cycles = Cycles::of(kernel, self.mesh, self.context);
         let count = kernel.face_count();
         if cycles.is_empty()
@@ -189,7 +190,7 @@ impl Task<'_> {
     fn without_stored_duplicates<K: Connectivity>(
         &self,
         kernel: &K,
-        names: &StoredNames<'_>,
+        names: &StoredVertices<'_>,
         cycles: &Cycles,
     ) -> Column<FaceId, bool> {
         let count = kernel.face_count();
@@ -205,7 +206,7 @@ impl Task<'_> {
     fn oriented<K: Connectivity>(
         &self,
         kernel: &K,
-        names: &StoredNames<'_>,
+        names: &StoredVertices<'_>,
         cycles: &Cycles,
         start: (Column<FaceId, bool>, Column<FaceId, bool>),
     ) -> Result<Found, PassError> {
@@ -485,12 +486,12 @@ fn turned_edges<K: Connectivity>(
 /// Taken apart along everything that is not matched, the mesh has these patches as its own. Faces keep their ids
 /// there, and edges are led back through their corners.
 fn one_sided_patches(mesh: &PolygonMesh, context: &Context<'_>) -> Result<Vec<Defect>, PassError> {
-    let apart = Split { edges: SplitEdges::Cut, seams: Seams::Keep }.apply(mesh, context)?;
-    let kernel = EdgeUse::assemble(apart.mesh.complex());
+    let (apart, provenance) = crate::apart::along_rules(mesh, context)?;
+    let kernel = EdgeUse::assemble(apart.complex());
     let strips = orientability(&kernel, &patches_of(&kernel)).one_sided;
     let here = mesh.complex();
     let edge_here = |edge| {
-        let old = |c: CornerId| apart.provenance.corners.of(apart.mesh.complex().stored_corner(c));
+        let old = |c: CornerId| provenance.corners.of(apart.complex().stored_corner(c));
         let corner = kernel.edge_corners(edge).find_map(old)?;
         here.is_as_stored().then(|| here.edges().corner_edge(corner))
     };

@@ -3,8 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use meshmend_core::{
-    Complex, CornerId, Defect, DefectKind, Differences, DraftError, FaceId, FaceTableError, Id, PolygonMesh,
-    Provenance, Refusal, VertexId,
+    Defect, DefectKind, Differences, DraftError, FaceId, FaceTableError, PolygonMesh, Provenance, Refusal,
 };
 use meshmend_kernels::KernelKind;
 use meshmend_topology::TopologyReport;
@@ -183,66 +182,5 @@ impl History {
     pub fn extended(&self, later: &Provenance, result: &PolygonMesh) -> Self {
         let provenance = self.provenance.then(later, self.stored.faces(), result.faces());
         History { stored: self.stored.clone(), provenance }
-    }
-}
-
-/// The vertices as stored behind a mesh's corners: its *names*.
-///
-/// A name below the number of stored vertices is a stored vertex; names beyond belong to vertices that an earlier
-/// pass created.
-pub(crate) struct StoredNames<'a> {
-    mesh: &'a PolygonMesh,
-    complex: &'a Complex,
-    history: Option<&'a History>,
-}
-
-impl<'a> StoredNames<'a> {
-    pub(crate) fn new(mesh: &'a PolygonMesh, context: &Context<'a>) -> Self {
-        let history = context.history.filter(|h| !h.provenance.is_same());
-        StoredNames { mesh, complex: mesh.complex(), history }
-    }
-
-    /// Whether the names are the present vertices.
-    pub(crate) fn are_present(&self) -> bool {
-        self.history.is_none()
-    }
-
-    /// How many names there are.
-    pub(crate) fn count(&self) -> usize {
-        self.stored_count() + self.history.map_or(0, |_| self.mesh.counts().vertices)
-    }
-
-    fn stored_count(&self) -> usize {
-        self.history.map_or(self.mesh.counts().vertices, |h| h.stored.counts().vertices)
-    }
-
-    /// The name of the vertex behind a corner of the complex.
-    #[inline]
-    pub(crate) fn of(&self, corner: CornerId) -> VertexId {
-        let present = self.complex.faces().corner_vertex(corner);
-        let Some(history) = self.history else { return present };
-        match history.provenance.corners.of(self.complex.stored_corner(corner)) {
-            Some(stored) => history.stored.faces().corner_vertex(stored),
-            None => self.of_created(present),
-        }
-    }
-
-    /// The name of a vertex that has no corner.
-    pub(crate) fn of_vertex(&self, present: VertexId) -> VertexId {
-        let Some(history) = self.history else { return present };
-        history.provenance.vertices.of(present).unwrap_or_else(|| self.of_created(present))
-    }
-
-    fn of_created(&self, present: VertexId) -> VertexId {
-        VertexId::new(self.stored_count() + present.index())
-    }
-
-    /// The point of the vertex with a name.
-    pub(crate) fn position(&self, name: VertexId) -> [f64; 3] {
-        match (self.history, name.index().checked_sub(self.stored_count())) {
-            (Some(_), Some(present)) => self.mesh.position(VertexId::new(present)),
-            (Some(history), None) => history.stored.position(name),
-            (None, _) => self.mesh.position(name),
-        }
     }
 }

@@ -18,26 +18,21 @@
 //! F. Lazarus, W. Horn, *Cutting and stitching*, 2001, for splitting by matching; the sheets follow the text.
 
 use meshmend_core::{
-    Connectivity, CornerId, Defect, DefectKind, EdgeClass, EdgeId, PolygonMesh, VertexClass, VertexId,
-    edge_class, irregular_vertices, is_inconsistent,
+    Connectivity, CornerId, Defect, DefectKind, EdgeClass, EdgeId, PolygonMesh, VertexClass, edge_class,
 };
 use meshmend_kernels::KernelTask;
 use serde::{Deserialize, Serialize};
 
-use crate::copies::Copies;
-use crate::matching::{Matching, StoredGroups, may_match};
-use crate::telling::Telling;
-use crate::{Context, Outcome, Pass, PassError, StoredNames};
+use crate::apart::{Apart, Coinciding, NewVertices, Separation, VertexParts, with_ends};
+use crate::matching::{Matching, StoredGroups};
+use crate::sewing::{Sewing, has_clash};
+use crate::stored_vertices::StoredVertices;
+use crate::{Context, Outcome, Pass, PassError};
 
 mod radial;
-mod regular_fast_path;
 mod seams;
 mod sheets;
 
-use crate::apart::draft;
-use crate::apart::new_vertices::NewVertices;
-use crate::apart::parts::VertexParts;
-use crate::apart::subdivide::{self, Inserted};
 pub use seams::SeamFigures;
 
 /// Takes a mesh apart until it is manifold, and no further.
@@ -119,155 +114,129 @@ impl KernelTask for Task<'_> {
     type Output = Result<Outcome, PassError>;
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
-        let stored = StoredNames::new(self.mesh, self.context);
-        let is_manifold = self.context.report.is_some_and(|report| report.manifold);
-        let irregular = if is_manifold { Vec::new() } else { irregular_vertices(kernel) };
-        let copies = self.copies(kernel, &irregular);
-        if irregular.is_empty() && copies.is_none() && self.is_whole(kernel, &stored) {
+        let stored = StoredVertices::new(self.mesh, self.context);
+        let mut sewing = Sewing::of(kernel, self.mesh, self.context);
+        let has_seam = self.options.seams == Seams::Cut && has_clash(kernel);
+        if !has_seam && sewing.is_whole(kernel, self.mesh, &stored) {
             return Ok(Outcome::unchanged(self.mesh));
         }
-        let mut matching = Matching::by_rules(kernel, &stored, copies.as_ref());
-        if let (Some(copies), SplitEdges::Sheets | SplitEdges::PinchOnly) = (&copies, self.options.edges) {
-            matching.pair_by_rank(kernel, &stored, copies);
-        }
-        let seam = match self.options.seams {
-            Seams::Keep => Vec::new(),
-            Seams::Cut => seams::part_seams(kernel, &mut matching),
+        let mut matching = sewing.take_matching(kernel, &stored);
+        let seam = self.complete(kernel, &stored, &sewing, &mut matching)?;
+        let parted = sewing.parted_copies(kernel);
+        let seam_edges = seam.iter().map(|&(one, _)| kernel.corner_edge(one));
+        let cut: Vec<EdgeId> = seam_edges.chain(parted.iter().copied()).collect();
+        let joined = self.joined_as_stored(kernel, &stored);
+        let separation = Separation {
+            matching: &matching,
+            joined: &joined,
+            vertices: with_ends(kernel, sewing.irregular, &cut),
+            coinciding: self.coinciding(),
         };
-        self.context.check_cancelled()?;
-        let joined = match self.options.edges {
-            SplitEdges::Sheets => {
-                sheets::match_sheets(kernel, self.mesh, copies.as_ref(), &mut matching);
-                Vec::new()
-            }
-            SplitEdges::Cut => Vec::new(),
-            SplitEdges::PinchOnly => joined_as_stored(kernel, &stored),
-        };
-        self.context.check_cancelled()?;
-        let parted = parted_copies(kernel, copies.as_ref());
-        let cut: Vec<EdgeId> =
-            seam.iter().map(|&(one, _)| kernel.corner_edge(one)).chain(parted.iter().copied()).collect();
-        let parts = VertexParts::of(kernel, &matching, &joined, seams::with_ends(kernel, irregular, &cut));
-        let names = NewVertices::name(kernel, &stored, &parts);
-        let figures = seams::seam_figures(kernel, self.mesh, &matching, &names, &seam);
-        let inserted = match self.options.edges {
-            SplitEdges::PinchOnly => Inserted { vertices: Vec::new(), sides: Vec::new(), edges: Vec::new() },
-            _ => subdivide::subdivide(kernel, self.mesh, &matching, &names, self.context)?,
-        };
-        let mut seam: Vec<Defect> = seams::seam_edges(kernel, &seam).collect();
-        let came_apart = parted.iter().filter(|&&edge| self.comes_apart(kernel, &names, edge));
-        seam.extend(came_apart.map(|&edge| Defect::inconsistent_edge(edge, kernel.edge_ends(edge))));
+        let apart = Apart::of(kernel, self.mesh, self.context, separation)?;
+        let figures = seams::seam_figures(kernel, self.mesh, &matching, &apart.vertices, &seam);
         drop(matching);
-        let outcome = self.outcome(kernel, &parts, names, inserted, seam)?;
-        Ok(Outcome { seam: figures, ..outcome })
+        let came_apart = parted.into_iter().filter(|&edge| self.comes_apart(kernel, &apart.vertices, edge));
+        let clashing = came_apart.map(|edge| Defect::inconsistent_edge(edge, kernel.edge_ends(edge)));
+        let opened = seams::seam_edges(kernel, &seam).chain(clashing).collect();
+        Ok(Outcome { seam: figures, ..self.outcome(kernel, apart, opened)? })
     }
-}
-
-/// The edges that only two copies of a face have, which differ and so come apart.
-fn parted_copies<K: Connectivity>(kernel: &K, copies: Option<&Copies>) -> Vec<EdgeId> {
-    let Some(copies) = copies else { return Vec::new() };
-    let is_parted = |&edge: &EdgeId| {
-        let mut corners = kernel.edge_corners(edge);
-        match (corners.next(), corners.next(), corners.next()) {
-            (Some(one), Some(other), None) => !may_match(kernel, Some(copies), one, other),
-            _ => false,
-        }
-    };
-    kernel.edges().filter(is_parted).collect()
-}
-
-/// The sides that `pinch-only` keeps together: those of one edge of degree three or more as stored.
-fn joined_as_stored<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Vec<(CornerId, CornerId)> {
-    let mut groups = StoredGroups::default();
-    let mut joined = Vec::new();
-    for edge in kernel.edges() {
-        for group in groups.uses_of(kernel, names, edge).chunk_by(|one, other| one.stored == other.stored) {
-            if group.len() > 2 {
-                joined.extend(group[1..].iter().map(|u| (group[0].corner, u.corner)));
-            }
-        }
-    }
-    joined
 }
 
 impl Task<'_> {
-    /// The faces that repeat others and differ from them. Where each vertex is regular, they have inconsistent edges.
-    fn copies<K: Connectivity>(&self, kernel: &K, irregular: &[(VertexId, VertexClass)]) -> Option<Copies> {
-        Telling::of(self.mesh, self.context.telling)?;
-        let clashes = || kernel.edges().any(|edge| is_inconsistent(kernel, edge));
-        if irregular.is_empty() && !clashes() {
-            return None;
+    /// Steps 1 to 3: matches by policy what the rules leave free, and returns the pairs of the seam that was parted.
+    fn complete<K: Connectivity>(
+        &self,
+        kernel: &K,
+        stored: &StoredVertices<'_>,
+        sewing: &Sewing,
+        matching: &mut Matching,
+    ) -> Result<Vec<seams::Parted>, PassError> {
+        let copies = sewing.copies.as_ref();
+        if let (Some(copies), SplitEdges::Sheets | SplitEdges::PinchOnly) = (copies, self.options.edges) {
+            matching.pair_by_rank(kernel, stored, copies);
         }
-        Copies::find(kernel, self.mesh, self.context)
+        let seam = match self.options.seams {
+            Seams::Keep => Vec::new(),
+            Seams::Cut => seams::part_seams(kernel, matching),
+        };
+        self.context.check_cancelled()?;
+        if self.options.edges == SplitEdges::Sheets {
+            sheets::match_sheets(kernel, self.mesh, copies, matching);
+            self.context.check_cancelled()?;
+        }
+        Ok(seam)
+    }
+
+    /// The sides that `pinch-only` keeps together: those of one edge of degree three or more as stored.
+    fn joined_as_stored<K: Connectivity>(
+        &self,
+        kernel: &K,
+        stored: &StoredVertices<'_>,
+    ) -> Vec<(CornerId, CornerId)> {
+        let mut joined = Vec::new();
+        if self.options.edges != SplitEdges::PinchOnly {
+            return joined;
+        }
+        let mut groups = StoredGroups::default();
+        for edge in kernel.edges() {
+            let uses = groups.uses_of(kernel, stored, edge);
+            for group in uses.chunk_by(|one, other| one.stored == other.stored) {
+                if group.len() > 2 {
+                    joined.extend(group[1..].iter().map(|u| (group[0].corner, u.corner)));
+                }
+            }
+        }
+        joined
+    }
+
+    fn coinciding(&self) -> Coinciding {
+        match self.options.edges {
+            SplitEdges::PinchOnly => Coinciding::Joined,
+            SplitEdges::Sheets | SplitEdges::Cut => Coinciding::Subdivided,
+        }
     }
 
     /// Whether an edge of two sides is two edges afterwards: `pinch-only` does not subdivide what would coincide.
-    fn comes_apart<K: Connectivity>(&self, kernel: &K, names: &NewVertices, edge: EdgeId) -> bool {
+    fn comes_apart<K: Connectivity>(&self, kernel: &K, vertices: &NewVertices, edge: EdgeId) -> bool {
         let ends = kernel.edge_corners(edge).map(|corner| {
-            let (from, to) = (names.of_corner[corner], names.of_corner[kernel.next_corner(corner)]);
+            let (from, to) = (vertices.of_corner[corner], vertices.of_corner[kernel.next_corner(corner)]);
             (from.min(to), from.max(to))
         });
         let ends: Vec<_> = ends.collect();
         self.options.edges != SplitEdges::PinchOnly || ends.windows(2).any(|two| two[0] != two[1])
     }
 
-    /// Whether nothing is to be split in a mesh whose vertices are regular, as far as can be seen without a matching.
-    fn is_whole<K: Connectivity>(&self, kernel: &K, names: &StoredNames<'_>) -> bool {
-        let clashes = || kernel.edges().any(|edge| is_inconsistent(kernel, edge));
-        let has_no_seam = self.options.seams == Seams::Keep || !clashes();
-        has_no_seam && regular_fast_path::keeps_names(kernel, self.mesh, names)
-    }
-
+    /// The new mesh and the record; `opened` are the edges that were cut open.
     fn outcome<K: Connectivity>(
         &self,
         kernel: &K,
-        parts: &VertexParts,
-        names: NewVertices,
-        inserted: Inserted,
-        seam: Vec<Defect>,
+        apart: Apart,
+        opened: Vec<Defect>,
     ) -> Result<Outcome, PassError> {
-        if inserted.vertices.is_empty() && self.is_unchanged(kernel, &names) {
+        if apart.is_unchanged(kernel, self.mesh) {
             let left = self.left(self.mesh);
             return Ok(Outcome { left, ..Outcome::unchanged(self.mesh) });
         }
-        let mut fixed = self.fixed(kernel, parts);
-        let coincident = inserted.edges.iter().map(|&e| Defect::coincident_edges(kernel.edge_ends(e)));
-        fixed.extend(coincident.chain(seam));
-        let outcome =
-            Outcome::changed(self.mesh.rebuild(draft::draft(self.mesh, names, inserted)?)?, fixed.into());
+        let mut fixed = self.edges_fixed(kernel);
+        fixed.extend(vertices_fixed(&apart.parts));
+        let subdivided = apart.subdivided_edges().iter();
+        fixed.extend(subdivided.map(|&edge| Defect::coincident_edges(kernel.edge_ends(edge))));
+        fixed.extend(opened);
+        let outcome = Outcome::changed(apart.rebuild(self.mesh)?, fixed.into());
         Ok(Outcome { left: self.left(&outcome.mesh), ..outcome })
     }
 
-    fn is_unchanged<K: Connectivity>(&self, kernel: &K, names: &NewVertices) -> bool {
-        let same_bits = |a: &[f64; 3], b: &[f64; 3]| a.map(f64::to_bits) == b.map(f64::to_bits);
-        names.present.iter().zip(0..).all(|(present, new)| present.0 == new)
-            && names.positions.iter().zip(self.mesh.positions()).all(|(a, b)| same_bits(a, b))
-            && kernel.corners().all(|c| names.of_corner[c] == kernel.corner_vertex(c))
-    }
-
-    /// Edges of degree three and more, and vertices that are no longer one.
-    fn fixed<K: Connectivity>(&self, kernel: &K, parts: &VertexParts) -> Vec<Defect> {
-        let mut fixed = Vec::new();
-        if self.options.edges != SplitEdges::PinchOnly {
-            let edges = kernel.edges().filter(|&e| edge_class(kernel, e) == EdgeClass::NonManifold);
-            fixed.extend(edges.map(|edge| {
-                let degree = kernel.edge_degree(edge) as u32;
-                Defect::non_manifold_edge(edge, kernel.edge_ends(edge), degree)
-            }));
+    /// The edges of degree three and more, unless they are left alone.
+    fn edges_fixed<K: Connectivity>(&self, kernel: &K) -> Vec<Defect> {
+        if self.options.edges == SplitEdges::PinchOnly {
+            return Vec::new();
         }
-        let by_vertex = parts.parts.chunk_by(|one, next| one.vertex == next.vertex);
-        for (&(vertex, class), _) in parts.vertices.iter().zip(by_vertex).filter(|(_, parts)| parts.len() > 1)
-        {
-            fixed.push(match class {
-                VertexClass::Pinched { umbrellas, boundary_only } => {
-                    Defect::pinched_vertex(vertex, umbrellas, boundary_only)
-                }
-                // An edge that ends here is named.
-                VertexClass::Disc | VertexClass::HalfDisc => continue,
-                _ => Defect::singular_vertex(vertex),
-            });
-        }
-        fixed
+        let edges = kernel.edges().filter(|&e| edge_class(kernel, e) == EdgeClass::NonManifold);
+        let defect = |edge| {
+            let degree = kernel.edge_degree(edge) as u32;
+            Defect::non_manifold_edge(edge, kernel.edge_ends(edge), degree)
+        };
+        edges.map(defect).collect()
     }
 
     /// With `pinch-only`, the edges of degree three and more that are still there.
@@ -283,4 +252,17 @@ impl Task<'_> {
         };
         crowded.map(defect).collect()
     }
+}
+
+/// The vertices that came apart, but for the ends of edges that were cut open: there the edge is named.
+fn vertices_fixed(parts: &VertexParts) -> impl Iterator<Item = Defect> + '_ {
+    let by_vertex = parts.parts.chunk_by(|one, next| one.vertex == next.vertex);
+    let came_apart = parts.vertices.iter().zip(by_vertex).filter(|(_, parts)| parts.len() > 1);
+    came_apart.filter_map(|(&(vertex, class), _)| match class {
+        VertexClass::Pinched { umbrellas, boundary_only } => {
+            Some(Defect::pinched_vertex(vertex, umbrellas, boundary_only))
+        }
+        VertexClass::Disc | VertexClass::HalfDisc => None,
+        _ => Some(Defect::singular_vertex(vertex)),
+    })
 }

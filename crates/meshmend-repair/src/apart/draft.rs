@@ -9,12 +9,12 @@ use super::subdivide::Inserted;
 use crate::PassError;
 
 /// The draft of the mesh whose corners are at new vertices.
-pub(crate) fn draft(mesh: &PolygonMesh, names: NewVertices, inserted: Inserted) -> Result<Draft, PassError> {
-    let NewVertices { of_corner, present, positions, first_part } = names;
+pub(crate) fn draft(mesh: &PolygonMesh, new: NewVertices, inserted: Inserted) -> Result<Draft, PassError> {
+    let NewVertices { of_corner, present, positions, first_part } = new;
     let created = inserted.vertices.len();
     let vertex_count = present.len() + created;
     let vertices = stored_corners(mesh, of_corner, &first_part);
-    let new = if created == 0 {
+    let faces = if created == 0 {
         NewFaces::over(mesh.faces(), vertices, vertex_count)?
     } else {
         NewFaces::with_inserted(mesh, &vertices, vertex_count, &inserted)?
@@ -25,8 +25,8 @@ pub(crate) fn draft(mesh: &PolygonMesh, names: NewVertices, inserted: Inserted) 
         vertex_sources: Sources::listed(sources),
         kept_positions: Some(positions),
         created_vertices: inserted.vertices,
-        created_corners: new.created_corners,
-        ..Draft::of_faces(mesh, new.faces, face_sources, new.corner_sources)
+        created_corners: faces.created_corners,
+        ..Draft::of_faces(mesh, faces.faces, face_sources, faces.corner_sources)
     })
 }
 

@@ -3,7 +3,7 @@
 use meshmend_core::{Column, Connectivity, CornerId, Id, VertexId};
 
 use super::parts::VertexParts;
-use crate::StoredNames;
+use crate::stored_vertices::StoredVertices;
 
 /// The new vertices in order, and which of them each corner is at.
 pub(crate) struct NewVertices {
@@ -25,8 +25,8 @@ impl NewVertices {
     /// the complex whose place is taken.
     ///
     /// *Cost*: linear, and n log n in the parts that follow at the end.
-    pub(crate) fn name<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, parts: &VertexParts) -> Self {
-        let pieces = Pieces::of(kernel, names, parts);
+    pub(crate) fn of<K: Connectivity>(kernel: &K, stored: &StoredVertices<'_>, parts: &VertexParts) -> Self {
+        let pieces = Pieces::of(kernel, stored, parts);
         let count = kernel.vertex_count() + parts.parts.len() - parts.vertices.len();
         let mut new = NewVertices {
             of_corner: Column::default(),
@@ -38,7 +38,7 @@ impl NewVertices {
         for piece in pieces.in_order() {
             let (id, vertex) = (VertexId::new(new.present.len()), pieces.vertex(piece));
             new.present.push(vertex);
-            new.positions.push(names.position(pieces.name(piece)));
+            new.positions.push(stored.position(pieces.stored_vertex(piece)));
             let first = &mut new.first_part[vertex.index()];
             *first = id.min(*first);
             if let Some(part) = pieces.part(piece) {
@@ -56,23 +56,23 @@ impl NewVertices {
 /// What becomes a new vertex, by number: first the present vertices, for those that stay whole, then the parts.
 struct Pieces<'a, K> {
     kernel: &'a K,
-    names: &'a StoredNames<'a>,
+    stored: &'a StoredVertices<'a>,
     parts: &'a VertexParts,
     /// The lowest stored vertex behind each part.
-    part_names: Vec<VertexId>,
+    behind_parts: Vec<VertexId>,
     /// The lowest stored vertex behind each present one that is in a face, where it is not the vertex itself.
-    vertex_names: Option<Vec<VertexId>>,
+    behind_vertices: Option<Vec<VertexId>>,
 }
 
 impl<'a, K: Connectivity> Pieces<'a, K> {
-    fn of(kernel: &'a K, names: &'a StoredNames<'a>, parts: &'a VertexParts) -> Self {
-        let mut part_names = vec![NONE; parts.parts.len()];
+    fn of(kernel: &'a K, stored: &'a StoredVertices<'a>, parts: &'a VertexParts) -> Self {
+        let mut behind_parts = vec![NONE; parts.parts.len()];
         for &(corner, part) in &parts.corners {
-            let name = &mut part_names[part as usize];
-            *name = names.of(corner).min(*name);
+            let lowest = &mut behind_parts[part as usize];
+            *lowest = stored.of(corner).min(*lowest);
         }
-        let vertex_names = (!names.are_present()).then(|| lowest_names(kernel, names));
-        Pieces { kernel, names, parts, part_names, vertex_names }
+        let behind_vertices = (!stored.are_present()).then(|| lowest_stored(kernel, stored));
+        Pieces { kernel, stored, parts, behind_parts, behind_vertices }
     }
 
     /// The number of the part, if it is one.
@@ -84,11 +84,12 @@ impl<'a, K: Connectivity> Pieces<'a, K> {
         self.part(piece).map_or(VertexId(piece), |part| self.parts.parts[part].vertex)
     }
 
-    fn name(&self, piece: u32) -> VertexId {
-        match (self.part(piece), &self.vertex_names) {
-            (Some(part), _) => self.part_names[part],
-            (None, Some(names)) if names[piece as usize] != NONE => names[piece as usize],
-            (None, _) => self.names.of_vertex(VertexId(piece)),
+    /// The lowest stored vertex behind a piece.
+    fn stored_vertex(&self, piece: u32) -> VertexId {
+        match (self.part(piece), &self.behind_vertices) {
+            (Some(part), _) => self.behind_parts[part],
+            (None, Some(behind)) if behind[piece as usize] != NONE => behind[piece as usize],
+            (None, _) => self.stored.of_vertex(VertexId(piece)),
         }
     }
 
@@ -108,10 +109,10 @@ impl<'a, K: Connectivity> Pieces<'a, K> {
         let whole = (0..first_part).filter(|vertex| apart.next_if_eq(vertex).is_none());
         let (in_faces, alone): (Vec<u32>, Vec<u32>) =
             whole.partition(|&vertex| self.kernel.is_referenced(VertexId(vertex)));
-        let mut holders = vec![FREE; self.names.count()];
+        let mut holders = vec![FREE; self.stored.count()];
         let mut further = Vec::new();
         for piece in in_faces.into_iter().chain((first_part..).take(self.parts.parts.len())) {
-            let holder = &mut holders[self.name(piece).index()];
+            let holder = &mut holders[self.stored_vertex(piece).index()];
             match *holder {
                 FREE => *holder = piece,
                 before if self.lowest_corner(piece) < self.lowest_corner(before) => {
@@ -123,7 +124,7 @@ impl<'a, K: Connectivity> Pieces<'a, K> {
         }
         further.sort_by_key(|&piece| self.lowest_corner(piece));
         for vertex in alone {
-            match &mut holders[self.name(vertex).index()] {
+            match &mut holders[self.stored_vertex(vertex).index()] {
                 free @ &mut FREE => *free = vertex,
                 _ => further.push(vertex),
             }
@@ -133,11 +134,11 @@ impl<'a, K: Connectivity> Pieces<'a, K> {
 }
 
 /// The lowest stored vertex behind each vertex in a face.
-fn lowest_names<K: Connectivity>(kernel: &K, names: &StoredNames<'_>) -> Vec<VertexId> {
+fn lowest_stored<K: Connectivity>(kernel: &K, stored: &StoredVertices<'_>) -> Vec<VertexId> {
     let mut lowest = vec![NONE; kernel.vertex_count()];
     for corner in kernel.corners() {
-        let name = &mut lowest[kernel.corner_vertex(corner).index()];
-        *name = names.of(corner).min(*name);
+        let behind = &mut lowest[kernel.corner_vertex(corner).index()];
+        *behind = stored.of(corner).min(*behind);
     }
     lowest
 }

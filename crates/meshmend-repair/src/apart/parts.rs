@@ -1,16 +1,19 @@
-//! The vertices that come apart: each is a star of corners, and its parts are the corners that hang together there.
+//! The vertices that come apart: each is a star of corners, and its parts are the corners that stay together there.
 //!
-//! Two corners hang together when they meet across matched sides. A disc or half-disc of which no side was parted is
-//! one part by its nature, so only the other vertices are looked at, each by itself.
+//! Two corners stay together when they meet across matched sides. A disc or half-disc of which no side was parted is
+//! always one part, so only the other vertices are looked at, each by itself.
 
-use meshmend_core::{Classes, Connectivity, CornerId, VertexClass, VertexId};
+use meshmend_core::{Classes, Connectivity, CornerId, EdgeId, VertexClass, VertexId, umbrellas};
 
 use crate::matching::{Matching, run_the_same_way};
+
+/// A vertex with its class.
+pub(crate) type ClassedVertex = (VertexId, VertexClass);
 
 /// The corners of some vertices, by the parts that they belong to.
 pub(crate) struct VertexParts {
     /// The vertices that may have come apart, ascending, with what they were.
-    pub(crate) vertices: Vec<(VertexId, VertexClass)>,
+    pub(crate) vertices: Vec<ClassedVertex>,
     /// All parts, by vertex, then by lowest corner.
     pub(crate) parts: Vec<Part>,
     /// Each corner of these vertices, with the place of its part.
@@ -31,7 +34,7 @@ impl VertexParts {
         kernel: &K,
         matching: &Matching,
         joined: &[(CornerId, CornerId)],
-        vertices: Vec<(VertexId, VertexClass)>,
+        vertices: Vec<ClassedVertex>,
     ) -> Self {
         let mut joined: Vec<_> =
             joined.iter().flat_map(|&(one, other)| [(one, other), (other, one)]).collect();
@@ -63,6 +66,19 @@ impl VertexParts {
     }
 }
 
+/// Vertices and the ends of edges that are cut, ascending, each with its class.
+pub(crate) fn with_ends<K: Connectivity>(
+    kernel: &K,
+    mut vertices: Vec<ClassedVertex>,
+    cut: &[EdgeId],
+) -> Vec<ClassedVertex> {
+    let ends = cut.iter().flat_map(|&edge| kernel.edge_ends(edge));
+    vertices.extend(ends.map(|vertex| (vertex, umbrellas(kernel, vertex).class())));
+    vertices.sort_unstable();
+    vertices.dedup();
+    vertices
+}
+
 /// The corners at each end of an edge that are one vertex when two of its sides are joined.
 pub(crate) fn corners_that_meet<K: Connectivity>(
     kernel: &K,
@@ -77,7 +93,7 @@ pub(crate) fn corners_that_meet<K: Connectivity>(
     }
 }
 
-/// The corners at a vertex, as they hang together; reused from vertex to vertex.
+/// The corners at a vertex, by what stays together; reused from vertex to vertex.
 #[derive(Default)]
 struct Star {
     /// Ascending.

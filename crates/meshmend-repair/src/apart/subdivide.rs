@@ -14,7 +14,8 @@ use crate::free_points::FreePoints;
 use crate::matching::Matching;
 use crate::{Context, PassError, Subdivision, Unused};
 
-/// What is inserted into the sides of an edge.
+/// What is inserted into the sides of edges.
+#[derive(Default)]
 pub(crate) struct Inserted {
     /// The new vertices, in order; the first follows the last vertex of the result so far.
     pub(crate) vertices: Vec<VertexDraft>,
@@ -32,10 +33,11 @@ pub(crate) fn subdivide<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,
     matching: &Matching,
-    names: &NewVertices,
+    vertices: &NewVertices,
     context: &Context<'_>,
 ) -> Result<Inserted, PassError> {
-    let edges: Vec<EdgeId> = kernel.edges().filter(|&edge| coincide(kernel, matching, names, edge)).collect();
+    let edges: Vec<EdgeId> =
+        kernel.edges().filter(|&edge| coincide(kernel, matching, vertices, edge)).collect();
     let mut inserted = Inserted { vertices: Vec::new(), sides: Vec::new(), edges };
     if inserted.edges.is_empty() {
         return Ok(inserted);
@@ -46,7 +48,7 @@ pub(crate) fn subdivide<K: Connectivity>(
     let complex = mesh.complex();
     // A vertex in no face that compact removes must not decide where others go.
     let is_in_result = |v| clearance.unused == Unused::Kept || kernel.is_referenced(v);
-    let parts = names.present.iter().zip(&names.positions).filter(|(v, _)| is_in_result(**v));
+    let parts = vertices.present.iter().zip(&vertices.positions).filter(|(v, _)| is_in_result(**v));
     let mut free = FreePoints::beside(clearance, parts.map(|(_, &position)| position));
     for edge in inserted.edges.clone() {
         let ends = kernel.edge_ends(edge).map(|v| mesh.position(v));
@@ -72,7 +74,7 @@ pub(crate) fn subdivide<K: Connectivity>(
 }
 
 /// Whether two different edges of the result along one edge of the mesh join the same two vertices.
-fn coincide<K: Connectivity>(kernel: &K, matching: &Matching, names: &NewVertices, edge: EdgeId) -> bool {
+fn coincide<K: Connectivity>(kernel: &K, matching: &Matching, vertices: &NewVertices, edge: EdgeId) -> bool {
     let mut uses = kernel.edge_corners(edge);
     match (uses.next(), uses.next(), uses.next()) {
         (Some(one), Some(other), None) if matching.mate(one) == Some(other) => return false,
@@ -81,7 +83,7 @@ fn coincide<K: Connectivity>(kernel: &K, matching: &Matching, names: &NewVertice
     }
     let is_first = |c: &CornerId| matching.mate(*c).is_none_or(|mate| *c < mate);
     let ends_of = |c: CornerId| {
-        let (a, b) = (names.of_corner[c], names.of_corner[kernel.next_corner(c)]);
+        let (a, b) = (vertices.of_corner[c], vertices.of_corner[kernel.next_corner(c)]);
         (a.min(b), a.max(b))
     };
     let mut ends: SmallVec<[_; 4]> = kernel.edge_corners(edge).filter(is_first).map(ends_of).collect();

@@ -2,9 +2,9 @@
 
 use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId};
 
-use crate::StoredNames;
 use crate::copies::Copies;
 use crate::matching::{Matching, StoredGroups, may_match, pairs_by_rank};
+use crate::stored_vertices::StoredVertices;
 
 /// The group of all uses along edges with at most two. These are matched at once, so that no face which goes for its
 /// double in another patch has one of them; they are too many ever to be two.
@@ -16,7 +16,7 @@ pub(crate) type Pair = (CornerId, CornerId);
 /// The pairs of rule 1 among the faces that are alive.
 pub(crate) fn pairs_as_stored<K: Connectivity>(
     kernel: &K,
-    names: &StoredNames<'_>,
+    names: &StoredVertices<'_>,
     copies: Option<&Copies>,
 ) -> Vec<Pair> {
     let mut groups = StoredGroups::default();
@@ -65,7 +65,7 @@ pub(crate) struct LiveUses<'a> {
 impl<'a> LiveUses<'a> {
     pub(crate) fn new<K: Connectivity>(
         kernel: &K,
-        names: &StoredNames<'_>,
+        names: &StoredVertices<'_>,
         copies: Option<&'a Copies>,
         is_alive: &Column<FaceId, bool>,
     ) -> Self {
@@ -142,7 +142,7 @@ impl<'a> LiveUses<'a> {
     pub(crate) fn new_pairs<K: Connectivity>(
         &mut self,
         kernel: &K,
-        names: &StoredNames<'_>,
+        names: &StoredVertices<'_>,
         is_alive: &Column<FaceId, bool>,
     ) -> Vec<Pair> {
         let mut pairs = std::mem::take(&mut self.pairs_as_stored);
@@ -175,7 +175,7 @@ impl<'a> LiveUses<'a> {
     fn match_ranks<K: Connectivity>(
         &mut self,
         kernel: &K,
-        names: &StoredNames<'_>,
+        names: &StoredVertices<'_>,
         copies: &Copies,
         is_alive: &Column<FaceId, bool>,
         pairs: &mut Vec<Pair>,

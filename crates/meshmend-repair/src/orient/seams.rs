@@ -8,8 +8,8 @@ use meshmend_core::{Column, Connectivity, CornerId, FaceId, Joined, SidedClasses
 use meshmend_topology::{DualEdge, short_seam};
 
 use super::live_matching::Pair;
-use crate::StoredNames;
 use crate::matching::run_the_same_way;
+use crate::stored_vertices::StoredVertices;
 
 /// The pairs in their order, but for those of short seams, which come last. Where the sides clash already along a seam that
 /// is no longer, it stays there: so a seam that is stitched when the mesh is read again is found at the same place.
@@ -17,7 +17,7 @@ use crate::matching::run_the_same_way;
 /// *Cost*: near-linear where nothing contradicts; else that of [`short_seam`] on the classes in which something does.
 pub(super) fn seams_last<K: Connectivity>(
     kernel: &K,
-    names: &StoredNames<'_>,
+    names: &StoredVertices<'_>,
     pairs: Vec<Pair>,
 ) -> Vec<Pair> {
     let twisted = twisted_classes(kernel, &pairs);
@@ -59,7 +59,7 @@ fn twisted_classes<K: Connectivity>(kernel: &K, pairs: &[Pair]) -> Column<FaceId
     kernel.faces().map(|face| Some(sets.find(face).0).filter(|&root| is_twisted[root])).collect()
 }
 
-fn dual_edge<K: Connectivity>(kernel: &K, names: &StoredNames<'_>, (one, other): Pair) -> DualEdge {
+fn dual_edge<K: Connectivity>(kernel: &K, names: &StoredVertices<'_>, (one, other): Pair) -> DualEdge {
     let stored = |corner: CornerId| {
         let (from, to) = (names.of(corner), names.of(kernel.next_corner(corner)));
         (from.min(to), from.max(to))

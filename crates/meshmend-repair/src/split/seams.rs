@@ -1,12 +1,11 @@
 //! Opens the seams of patches that have no consistent side, and says what that added.
 
-use meshmend_core::{Connectivity, CornerId, Defect, EdgeId, PolygonMesh, VertexClass, VertexId, umbrellas};
+use meshmend_core::{Connectivity, CornerId, Defect, PolygonMesh};
 use petgraph::unionfind::UnionFind;
 use serde::Serialize;
 
 use super::sheets::PatchSides;
-use crate::apart::new_vertices::NewVertices;
-use crate::apart::parts::corners_that_meet;
+use crate::apart::{NewVertices, corners_that_meet};
 use crate::matching::{Matching, run_the_same_way};
 
 /// What cutting non-orientable patches open along their seams took.
@@ -44,40 +43,27 @@ pub(super) fn seam_edges<K: Connectivity>(kernel: &K, seam: &[Parted]) -> impl I
     edges.map(|edge| Defect::seam_edge(edge, kernel.edge_ends(edge)))
 }
 
-/// Vertices and the ends of edges that are cut, ascending, with what they are.
-pub(super) fn with_ends<K: Connectivity>(
-    kernel: &K,
-    mut vertices: Vec<(VertexId, VertexClass)>,
-    cut: &[EdgeId],
-) -> Vec<(VertexId, VertexClass)> {
-    let ends = cut.iter().flat_map(|&edge| kernel.edge_ends(edge));
-    vertices.extend(ends.map(|vertex| (vertex, umbrellas(kernel, vertex).class())));
-    vertices.sort_unstable();
-    vertices.dedup();
-    vertices
-}
-
-/// What a seam took, when the corners are at these new vertices; nothing where there is none.
+/// What a seam took, when the corners are at these new vertices. Returns `None` where there is no seam.
 ///
 /// *Cost*: linear in the vertices where there is one.
 pub(super) fn seam_figures<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,
     matching: &Matching,
-    names: &NewVertices,
+    vertices: &NewVertices,
     seam: &[Parted],
 ) -> Option<SeamFigures> {
     if seam.is_empty() {
         return None;
     }
     let length: f64 = seam.iter().map(|&(one, _)| length(kernel, mesh, one)).sum();
-    // Sewn up again, the seam would have these edges less, and one vertex less for each two classes that meet.
+    // If the seam were sewn up again, these edges would go, and one vertex for each two classes that meet.
     let open: Vec<&Parted> =
         seam.iter().filter(|&&(one, other)| matching.is_free(one) && matching.is_free(other)).collect();
-    let mut sewn = UnionFind::<u32>::new(names.present.len());
+    let mut sewn = UnionFind::<u32>::new(vertices.present.len());
     let corners = open.iter().flat_map(|&&(one, other)| corners_that_meet(kernel, one, other));
     let vertices_added = corners
-        .filter(|&(one, other)| sewn.union(names.of_corner[one].0, names.of_corner[other].0))
+        .filter(|&(one, other)| sewn.union(vertices.of_corner[one].0, vertices.of_corner[other].0))
         .count() as u64;
     Some(SeamFigures {
         edges: seam.len() as u64,
