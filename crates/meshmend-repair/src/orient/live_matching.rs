@@ -1,28 +1,25 @@
-//! The matching of sides while duplicate faces go: only edges that lost a use are looked at again.
+//! The matching of sides while duplicate faces go: only edges that lost a side are looked at again.
 
 use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId};
 
+use super::fates::Fates;
 use crate::copies::Copies;
-use crate::matching::{Matching, StoredGroups, may_match, pairs_by_rank};
+use crate::matching::{Matching, StoredGroups, StoredUse, may_match, pairs_by_rank};
 use crate::stored_vertices::StoredVertices;
 
-/// The group of all uses along edges with at most two. These are matched at once, so that no face which goes for its
-/// double in another patch has one of them; they are too many ever to be two.
-const NO_GROUP: u32 = 0;
-
 /// A pair of matched sides.
-pub(crate) type Pair = (CornerId, CornerId);
+pub(super) type Pair = (CornerId, CornerId);
 
-/// The pairs of rule 1 among the faces that are alive.
-pub(crate) fn pairs_as_stored<K: Connectivity>(
+/// The pairs of rule 1 among all faces.
+pub(super) fn pairs_as_stored<K: Connectivity>(
     kernel: &K,
-    names: &StoredVertices<'_>,
+    stored: &StoredVertices<'_>,
     copies: Option<&Copies>,
 ) -> Vec<Pair> {
     let mut groups = StoredGroups::default();
     let mut pairs = Vec::new();
     for edge in kernel.edges() {
-        for group in groups.uses_of(kernel, names, edge).chunk_by(|one, other| one.stored == other.stored) {
+        for group in groups.uses_of(kernel, stored, edge).chunk_by(|one, other| one.stored == other.stored) {
             match group {
                 [one, other] if may_match(kernel, copies, one.corner, other.corner) => {
                     pairs.push((one.corner, other.corner));
@@ -41,155 +38,189 @@ pub(crate) fn pairs_as_stored<K: Connectivity>(
     pairs
 }
 
-/// The alive uses of every edge, by what they join as stored, and their matching by rules 1 and 2.
-///
-/// Matched pairs stay matched while duplicates go: uses only become fewer, and a patch goes as a whole.
-pub(crate) struct LiveUses<'a> {
-    copies: Option<&'a Copies>,
-    edge_alive: Column<EdgeId, u32>,
-    /// Only edges of degree three or more have groups.
-    group_of: Column<CornerId, u32>,
-    group_starts: Vec<u32>,
-    group_uses: Vec<CornerId>,
-    group_alive: Vec<u32>,
-    matching: Matching,
-    /// Edges with two alive uses in all, and pairs alone as stored, that were not looked at yet.
-    edges_with_two: Vec<EdgeId>,
-    groups_with_two: Vec<u32>,
-    pairs_as_stored: Vec<Pair>,
-    /// The edges at which there are copies, ascending, and those of them that are to be looked at.
-    edges_with_copies: Vec<EdgeId>,
-    changed_edges_with_copies: Vec<EdgeId>,
+/// The group of a side along an edge with at most two. Such sides are matched at once, so no face that goes as a
+/// duplicate can leave two of them.
+const NO_GROUP: u32 = u32::MAX;
+
+/// The sides that run along one edge as stored, where the welded edge has three sides or more.
+struct Group {
+    /// Where they begin in the list of all groups' sides; they end where those of the next group begin.
+    first: u32,
+    /// How many of them are sides of faces that stay.
+    staying: u32,
 }
 
-impl<'a> LiveUses<'a> {
-    pub(crate) fn new<K: Connectivity>(
-        kernel: &K,
-        names: &StoredVertices<'_>,
+/// What has become unambiguous and was not looked at yet.
+#[derive(Default)]
+struct Waiting {
+    /// Pairs that rule 1 matches without a look.
+    pairs: Vec<Pair>,
+    /// Groups of two sides, for rule 1.
+    groups: Vec<u32>,
+    /// Edges of two sides, for rule 2.
+    edges: Vec<EdgeId>,
+    /// Edges at which there are copies.
+    edges_with_copies: Vec<EdgeId>,
+}
+
+/// The matching by rules 1 and 2 of the faces that stay.
+///
+/// Matched pairs stay matched while duplicates go: sides only become fewer, and a patch goes as a whole.
+pub(super) struct LiveMatching<'a, K> {
+    kernel: &'a K,
+    stored: &'a StoredVertices<'a>,
+    copies: Option<&'a Copies>,
+    matching: Matching,
+    /// For each edge how many of its sides are left.
+    staying: Column<EdgeId, u32>,
+    group_of: Column<CornerId, u32>,
+    groups: Vec<Group>,
+    sides_of_groups: Vec<CornerId>,
+    /// The edges at which there are copies, ascending.
+    edges_with_copies: Vec<EdgeId>,
+    waiting: Waiting,
+}
+
+impl<'a, K: Connectivity> LiveMatching<'a, K> {
+    /// Nothing is matched yet.
+    ///
+    /// *Cost*: O(Σ d log d) over the degrees d of the edges; 8 bytes a corner and 4 an edge, and 16 for each side along
+    /// an edge of three and more.
+    pub(super) fn new(
+        kernel: &'a K,
+        stored: &'a StoredVertices<'a>,
         copies: Option<&'a Copies>,
-        is_alive: &Column<FaceId, bool>,
+        fates: &Fates,
     ) -> Self {
         let edges_with_copies = copies.map_or(Vec::new(), |copies| edges_of(kernel, copies.faces()));
-        let mut live = LiveUses {
+        let mut live = LiveMatching {
+            kernel,
+            stored,
             copies,
-            changed_edges_with_copies: edges_with_copies.clone(),
-            edges_with_copies,
-            edge_alive: Column::filled(0, kernel.edge_count()),
-            group_of: Column::filled(NO_GROUP, kernel.corner_count()),
-            group_starts: vec![0, 0],
-            group_uses: Vec::new(),
-            group_alive: vec![u32::MAX],
             matching: Matching::free(kernel.corner_count()),
-            edges_with_two: Vec::new(),
-            groups_with_two: Vec::new(),
-            pairs_as_stored: Vec::new(),
+            staying: Column::filled(0, kernel.edge_count()),
+            group_of: Column::filled(NO_GROUP, kernel.corner_count()),
+            groups: Vec::new(),
+            sides_of_groups: Vec::new(),
+            waiting: Waiting { edges_with_copies: edges_with_copies.clone(), ..Waiting::default() },
+            edges_with_copies,
         };
         let mut groups = StoredGroups::default();
         for edge in kernel.edges() {
-            let uses = groups.uses_of(kernel, names, edge);
-            let alive = |corner: CornerId| is_alive[kernel.corner_face(corner)];
-            live.edge_alive[edge] = uses.iter().filter(|u| alive(u.corner)).count() as u32;
-            match uses {
-                [one, other]
-                    if live.edge_alive[edge] == 2
-                        && one.stored == other.stored
-                        && may_match(kernel, copies, one.corner, other.corner) =>
-                {
-                    live.pairs_as_stored.push((one.corner, other.corner));
-                }
-                _ if live.edge_alive[edge] == 2 => live.edges_with_two.push(edge),
-                _ => {}
-            }
-            if uses.len() < 3 {
-                continue;
-            }
-            for group in uses.chunk_by(|one, other| one.stored == other.stored) {
-                let (id, count) =
-                    (live.group_alive.len() as u32, group.iter().filter(|u| alive(u.corner)).count());
-                group.iter().for_each(|u| live.group_of[u.corner] = id);
-                live.group_uses.extend(group.iter().map(|u| u.corner));
-                live.group_starts.push(live.group_uses.len() as u32);
-                live.group_alive.push(count as u32);
-                if count == 2 {
-                    live.groups_with_two.push(id);
-                }
-            }
+            live.add_edge(edge, groups.uses_of(kernel, stored, edge), fates);
         }
         live
     }
 
-    /// A face is gone: its uses no longer count.
-    pub(crate) fn remove_face<K: Connectivity>(&mut self, kernel: &K, face: FaceId) {
-        for corner in kernel.face_corners(face) {
-            let edge = kernel.corner_edge(corner);
-            self.edge_alive[edge] -= 1;
-            if self.edge_alive[edge] == 2 {
-                self.edges_with_two.push(edge);
+    fn add_edge(&mut self, edge: EdgeId, uses: &[StoredUse], fates: &Fates) {
+        let stays = |u: &&StoredUse| fates.stays(self.kernel.corner_face(u.corner));
+        let staying = uses.iter().filter(stays).count() as u32;
+        self.staying[edge] = staying;
+        if staying == 2 {
+            match uses {
+                [one, other] if one.stored == other.stored && self.may_match(one.corner, other.corner) => {
+                    self.waiting.pairs.push((one.corner, other.corner));
+                }
+                _ => self.waiting.edges.push(edge),
+            }
+        }
+        if uses.len() > 2 {
+            uses.chunk_by(|one, other| one.stored == other.stored)
+                .for_each(|group| self.add_group(group, fates));
+        }
+    }
+
+    fn add_group(&mut self, uses: &[StoredUse], fates: &Fates) {
+        let (id, first) = (self.groups.len() as u32, self.sides_of_groups.len() as u32);
+        for u in uses {
+            self.group_of[u.corner] = id;
+            self.sides_of_groups.push(u.corner);
+        }
+        let stays = |u: &&StoredUse| fates.stays(self.kernel.corner_face(u.corner));
+        let staying = uses.iter().filter(stays).count() as u32;
+        self.groups.push(Group { first, staying });
+        if staying == 2 {
+            self.waiting.groups.push(id);
+        }
+    }
+
+    /// A face is gone: its sides no longer count.
+    pub(super) fn remove_face(&mut self, face: FaceId) {
+        for corner in self.kernel.face_corners(face) {
+            let edge = self.kernel.corner_edge(corner);
+            self.staying[edge] -= 1;
+            if self.staying[edge] == 2 {
+                self.waiting.edges.push(edge);
             }
             if self.edges_with_copies.binary_search(&edge).is_ok() {
-                self.changed_edges_with_copies.push(edge);
+                self.waiting.edges_with_copies.push(edge);
             }
-            let group = self.group_of[corner];
-            self.group_alive[group as usize] -= 1;
-            if self.group_alive[group as usize] == 2 {
-                self.groups_with_two.push(group);
+            let id = self.group_of[corner];
+            if let Some(group) = self.groups.get_mut(id as usize) {
+                group.staying -= 1;
+                if group.staying == 2 {
+                    self.waiting.groups.push(id);
+                }
             }
         }
     }
 
-    /// Matches what has become unambiguous since the last call: by rule 1, then by rule 2, each by edge. A seam that
-    /// was cut before is stitched by rule 2, so what contradicts is found there again.
-    pub(crate) fn new_pairs<K: Connectivity>(
-        &mut self,
-        kernel: &K,
-        names: &StoredVertices<'_>,
-        is_alive: &Column<FaceId, bool>,
-    ) -> Vec<Pair> {
-        let mut pairs = std::mem::take(&mut self.pairs_as_stored);
-        let copies = self.copies;
-        let alive = |corner: &CornerId| is_alive[kernel.corner_face(*corner)];
-        for group in std::mem::take(&mut self.groups_with_two).into_iter().map(|g| g as usize) {
-            let range = self.group_starts[group] as usize..self.group_starts[group + 1] as usize;
-            let both = the_two(self.group_uses[range].iter().copied().filter(alive));
-            // Those of one rank may be matched already.
-            pairs.extend(both.filter(|&(a, b)| {
-                copies.is_none() || (self.matching.is_free(a) && may_match(kernel, copies, a, b))
-            }));
-        }
-        pairs.sort_unstable_by_key(|&(one, _)| (kernel.corner_edge(one), one));
+    /// Matches what has become unambiguous since the last call, by rule 1, then by rule 2, each by edge; then among the
+    /// sides of one rank.
+    ///
+    /// A seam that was cut before is stitched by rule 2, so what contradicts is found there again.
+    pub(super) fn new_pairs(&mut self, fates: &Fates) -> Vec<Pair> {
+        let waiting = std::mem::take(&mut self.waiting);
+        let mut pairs = waiting.pairs;
+        pairs.extend(waiting.groups.into_iter().filter_map(|group| self.pair_of_group(group, fates)));
+        pairs.sort_unstable_by_key(|&(one, _)| (self.kernel.corner_edge(one), one));
         pairs.iter().for_each(|&(one, other)| self.matching.pair(one, other));
-        let mut edges = std::mem::take(&mut self.edges_with_two);
+        let mut edges = waiting.edges;
         edges.sort_unstable();
         for edge in edges {
-            let both = the_two(kernel.edge_corners(edge).filter(alive));
-            let both = both.filter(|&(a, b)| may_match(kernel, copies, a, b));
+            let both = self.the_two(self.kernel.edge_corners(edge), fates);
             pairs.extend(both.filter(|&pair| self.matching.pair_if_free(pair)));
         }
-        if let Some(copies) = copies {
-            self.match_ranks(kernel, names, copies, is_alive, &mut pairs);
+        if let Some(copies) = self.copies {
+            self.match_ranks(copies, waiting.edges_with_copies, fates, &mut pairs);
         }
         pairs
     }
 
-    /// Matches what has become unambiguous among the uses of one rank.
-    fn match_ranks<K: Connectivity>(
-        &mut self,
-        kernel: &K,
-        names: &StoredVertices<'_>,
-        copies: &Copies,
-        is_alive: &Column<FaceId, bool>,
-        pairs: &mut Vec<Pair>,
-    ) {
-        let mut edges = std::mem::take(&mut self.changed_edges_with_copies);
+    fn pair_of_group(&self, group: u32, fates: &Fates) -> Option<Pair> {
+        let first = self.groups[group as usize].first as usize;
+        let next = self.groups.get(group as usize + 1);
+        let end = next.map_or(self.sides_of_groups.len(), |next| next.first as usize);
+        let sides = &self.sides_of_groups[first..end];
+        // Sides of one rank may be matched already.
+        let is_free = |corner| self.copies.is_none() || self.matching.is_free(corner);
+        self.the_two(sides.iter().copied(), fates).filter(|&(one, _)| is_free(one))
+    }
+
+    /// Matches what has become unambiguous among the sides of one rank.
+    fn match_ranks(&mut self, copies: &Copies, mut edges: Vec<EdgeId>, fates: &Fates, pairs: &mut Vec<Pair>) {
         edges.sort_unstable();
         edges.dedup();
         let mut groups = StoredGroups::default();
         for edge in edges {
-            let mut uses = groups.uses_of(kernel, names, edge).to_vec();
-            uses.retain(|u| is_alive[kernel.corner_face(u.corner)]);
-            let by_rank = pairs_by_rank(kernel, copies, &uses);
+            let mut uses = groups.uses_of(self.kernel, self.stored, edge).to_vec();
+            uses.retain(|u| fates.stays(self.kernel.corner_face(u.corner)));
+            let by_rank = pairs_by_rank(self.kernel, copies, &uses);
             pairs.extend(by_rank.into_iter().filter(|&pair| self.matching.pair_if_free(pair)));
         }
+    }
+
+    /// The sides of faces that stay, if they are exactly two and may be matched.
+    fn the_two(&self, sides: impl Iterator<Item = CornerId>, fates: &Fates) -> Option<Pair> {
+        let mut staying = sides.filter(|&corner| fates.stays(self.kernel.corner_face(corner)));
+        match (staying.next(), staying.next(), staying.next()) {
+            (Some(one), Some(other), None) if self.may_match(one, other) => Some((one, other)),
+            _ => None,
+        }
+    }
+
+    fn may_match(&self, one: CornerId, other: CornerId) -> bool {
+        may_match(self.kernel, self.copies, one, other)
     }
 }
 
@@ -200,14 +231,6 @@ fn edges_of<K: Connectivity>(kernel: &K, faces: impl Iterator<Item = FaceId>) ->
     edges.sort_unstable();
     edges.dedup();
     edges
-}
-
-/// The two items of an iterator that gives exactly two.
-fn the_two(mut items: impl Iterator<Item = CornerId>) -> Option<Pair> {
-    match (items.next(), items.next(), items.next()) {
-        (Some(one), Some(other), None) => Some((one, other)),
-        _ => None,
-    }
 }
 
 #[cfg(test)]

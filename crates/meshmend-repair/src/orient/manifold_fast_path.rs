@@ -3,12 +3,14 @@
 //! Most meshes are like this. There all sides across edges are matched, so the patches are those of the topology; they
 //! come together at once, so the majority of each decides alone; and without duplicates none drops out.
 
-use meshmend_core::{Column, Connectivity, FaceId};
+use meshmend_core::{Connectivity, FaceId};
 use meshmend_topology::{Patches, Side, patches};
 
-/// Which faces are to be flipped so that each patch runs as most of its faces do, and on a tie as its lowest face does.
-/// Nothing where an edge has three sides or more, or a patch is not orientable.
-pub(super) fn flips<K: Connectivity>(kernel: &K) -> Option<Column<FaceId, bool>> {
+use super::fates::Fates;
+
+/// Which faces are flipped so that each patch runs as most of its faces do, and on a tie as its lowest face does. Returns
+/// `None` if an edge has three sides or more, or a patch is not orientable.
+pub(super) fn fates<K: Connectivity>(kernel: &K) -> Option<Fates> {
     let mut is_consistent = true;
     for edge in kernel.edges() {
         let mut sides = kernel.edge_sides(edge);
@@ -18,9 +20,9 @@ pub(super) fn flips<K: Connectivity>(kernel: &K) -> Option<Column<FaceId, bool>>
             _ => return None,
         }
     }
-    let mut is_flipped = Column::filled(false, kernel.face_count());
+    let mut fates = Fates::unchanged(kernel.face_count());
     if is_consistent {
-        return Some(is_flipped);
+        return Some(fates);
     }
     let patches = patches(kernel);
     for patch in patches.ids() {
@@ -28,11 +30,10 @@ pub(super) fn flips<K: Connectivity>(kernel: &K) -> Option<Column<FaceId, bool>>
             return None;
         }
         let minority = minority(&patches, patches.faces(patch));
-        for &face in patches.faces(patch) {
-            is_flipped[face] = patches.side(face) == minority;
-        }
+        let faces = patches.faces(patch).iter();
+        faces.filter(|&&face| patches.side(face) == minority).for_each(|&face| fates.flip(face));
     }
-    Some(is_flipped)
+    Some(fates)
 }
 
 /// The side that fewer faces of a patch have, and on a tie not its lowest face.

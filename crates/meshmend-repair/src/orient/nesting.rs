@@ -3,8 +3,9 @@
 //! A patch lies inside another one when the other one winds round a point of it; patches may touch, so a point that is
 //! on both does not count, and another point is asked.
 
-use meshmend_core::{Column, Connectivity, FaceId, PolygonMesh};
+use meshmend_core::{Connectivity, FaceId, PolygonMesh};
 
+use super::fates::Fates;
 use super::winding::{Query, Shell, Windings};
 use meshmend_geometry::vector::Point;
 
@@ -19,10 +20,10 @@ const MOST_POINTS: usize = 16;
 pub(super) fn are_hollows<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,
-    patches: &[Vec<FaceId>],
-    is_flipped: &Column<FaceId, bool>,
+    patches: &[&[FaceId]],
+    fates: &Fates,
 ) -> Vec<bool> {
-    let shells: Vec<Shell> = patches.iter().map(|faces| shell(kernel, mesh, faces, is_flipped)).collect();
+    let shells: Vec<Shell> = patches.iter().map(|faces| shell(kernel, mesh, faces, fates)).collect();
     let points: Vec<Vec<Point>> = patches.iter().map(|faces| points_on(kernel, mesh, faces)).collect();
     are_inside_oddly_many(&shells, &points)
 }
@@ -62,18 +63,13 @@ fn are_inside_oddly_many(shells: &[Shell], points: &[Vec<Point>]) -> Vec<bool> {
 }
 
 /// The triangles of a patch's faces, each face cut from its first corner.
-fn shell<K: Connectivity>(
-    kernel: &K,
-    mesh: &PolygonMesh,
-    faces: &[FaceId],
-    is_flipped: &Column<FaceId, bool>,
-) -> Shell {
+fn shell<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, faces: &[FaceId], fates: &Fates) -> Shell {
     let mut triangles = Vec::with_capacity(faces.len());
     for &face in faces {
         let mut corners = kernel.face_vertices(face).map(|v| mesh.position(v));
         let (Some(first), Some(mut last)) = (corners.next(), corners.next()) else { continue };
         for next in corners {
-            triangles.push(if is_flipped[face] { [first, next, last] } else { [first, last, next] });
+            triangles.push(if fates.is_flipped(face) { [first, next, last] } else { [first, last, next] });
             last = next;
         }
     }

@@ -1,21 +1,10 @@
-//! What turning closed patches outward could not judge, and which walls of hollows it turned.
+//! Which patches could not be turned outward, and which walls of hollows were.
 
-use meshmend_core::{Column, Connectivity, Defect, FaceId, PolygonMesh, Unjudged};
+use meshmend_core::{Connectivity, Defect, FaceId, PolygonMesh, Unjudged};
 
+use super::fates::Fates;
 use super::nesting;
-use super::patches::Patches;
-
-/// A patch by its lowest face, and how many faces it has.
-pub(super) struct PatchNamed {
-    face: FaceId,
-    faces: u32,
-    what: What,
-}
-
-enum What {
-    Unjudged(Unjudged),
-    TurnedCavity,
-}
+use super::patches::{OrientedPatch, Patches};
 
 /// Whether closed patches inside others are turned outward, too.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -24,8 +13,35 @@ pub(super) enum Nested {
     Alternating,
 }
 
-/// Turns the walls of hollows inward if they alternate, else names those that were turned outward; and names the patches
-/// that have no outer side.
+/// A patch of which something is to be said, by its lowest face.
+pub(super) struct NamedPatch {
+    pub(super) lowest: FaceId,
+    faces: u32,
+    what: What,
+}
+
+#[derive(Clone, Copy)]
+enum What {
+    Unjudged(Unjudged),
+    TurnedCavity,
+}
+
+impl NamedPatch {
+    fn of(patch: &OrientedPatch, what: What) -> Self {
+        NamedPatch { lowest: patch.lowest, faces: patch.faces.len() as u32, what }
+    }
+
+    /// The patch as a defect, its lowest face having got a new number.
+    pub(super) fn defect(&self, lowest: FaceId) -> Defect {
+        match self.what {
+            What::Unjudged(reason) => Defect::unjudged_patch(lowest, self.faces, reason),
+            What::TurnedCavity => Defect::turned_cavity(lowest, self.faces),
+        }
+    }
+}
+
+/// Turns the walls of hollows inward if shells alternate, else names those that were turned outward; then names the
+/// patches that have no outer side.
 ///
 /// *Cost*: linear, and that of [`nesting::are_hollows`] if shells alternate or a closed patch was turned.
 pub(super) fn judge<K: Connectivity>(
@@ -33,57 +49,38 @@ pub(super) fn judge<K: Connectivity>(
     mesh: &PolygonMesh,
     patches: &mut Patches<'_, K>,
     nested: Nested,
-) -> Vec<PatchNamed> {
-    let closed = patches.closed();
-    let turned: Vec<bool> = closed.iter().map(|faces| is_turned(faces, &patches.is_flipped)).collect();
-    let unjudged = patches.unjudged();
-    let mut without_volume: Vec<_> = unjudged.iter().filter_map(|(faces, _)| faces.iter().min()).collect();
-    without_volume.sort_unstable();
+) -> Vec<NamedPatch> {
+    let all = patches.oriented();
+    let unjudged: Vec<Option<Unjudged>> = all.iter().map(|patch| patches.unjudged(patch)).collect();
+    let (closed, judged): (Vec<&OrientedPatch>, Vec<bool>) = all
+        .iter()
+        .zip(&unjudged)
+        .filter(|(patch, _)| patch.is_closed)
+        .map(|(patch, unjudged)| (patch, unjudged.is_none()))
+        .unzip();
+    let turned: Vec<bool> = closed.iter().map(|patch| is_turned(patch, patches.fates())).collect();
     let mut named = Vec::new();
     if nested == Nested::Alternating || turned.contains(&true) {
-        let hollows = nesting::are_hollows(kernel, mesh, &closed, &patches.is_flipped);
-        for ((faces, is_turned), _) in
-            closed.iter().zip(turned).zip(hollows).filter(|(_, is_hollow)| *is_hollow)
-        {
-            if nested == Nested::Alternating {
+        let faces: Vec<&[FaceId]> = closed.iter().map(|patch| patch.faces.as_slice()).collect();
+        let are_hollows = nesting::are_hollows(kernel, mesh, &faces, patches.fates());
+        for place in (0..closed.len()).filter(|&place| are_hollows[place]) {
+            let patch = closed[place];
+            match nested {
                 // Without a volume it has no outer side, and goes by majority inside a shell, too.
-                let is_judged =
-                    faces.iter().min().is_none_or(|face| without_volume.binary_search(&face).is_err());
-                if is_judged {
-                    patches.turn(faces);
-                }
-            } else if is_turned {
-                named.push(PatchNamed::of(faces, What::TurnedCavity));
+                Nested::Alternating if judged[place] => patches.turn(&patch.faces),
+                Nested::Outward if turned[place] => named.push(NamedPatch::of(patch, What::TurnedCavity)),
+                _ => {}
             }
         }
     }
-    named.extend(unjudged.iter().map(|(faces, reason)| PatchNamed::of(faces, What::Unjudged(*reason))));
+    let reasons = all.iter().zip(unjudged).filter_map(|(patch, reason)| Some((patch, reason?)));
+    named.extend(reasons.map(|(patch, reason)| NamedPatch::of(patch, What::Unjudged(reason))));
     named
 }
 
-/// Whether most faces of a patch are turned; of as many as are not, whether the lowest is.
-fn is_turned(faces: &[FaceId], is_flipped: &Column<FaceId, bool>) -> bool {
-    let turned = faces.iter().filter(|&&face| is_flipped[face]).count();
-    let lowest = faces.iter().min();
-    2 * turned > faces.len() || (2 * turned == faces.len() && lowest.is_some_and(|&face| is_flipped[face]))
-}
-
-impl PatchNamed {
-    fn of(faces: &[FaceId], what: What) -> Self {
-        let face = faces.iter().min().copied().unwrap_or_default();
-        PatchNamed { face, faces: faces.len() as u32, what }
-    }
-
-    /// The lowest face of the patch.
-    pub(super) fn face(&self) -> FaceId {
-        self.face
-    }
-
-    /// The patch as a defect, its lowest face having got a new number.
-    pub(super) fn defect(&self, face: FaceId) -> Defect {
-        match self.what {
-            What::Unjudged(reason) => Defect::unjudged_patch(face, self.faces, reason),
-            What::TurnedCavity => Defect::turned_cavity(face, self.faces),
-        }
-    }
+/// Whether most faces of a patch are flipped; of as many as are not, whether the lowest is.
+fn is_turned(patch: &OrientedPatch, fates: &Fates) -> bool {
+    let flipped = patch.faces.iter().filter(|&&face| fates.is_flipped(face)).count();
+    let count = patch.faces.len();
+    2 * flipped > count || (2 * flipped == count && fates.is_flipped(patch.lowest))
 }

@@ -1,340 +1,315 @@
-//! Patches that merge and drop out, each kept consistently oriented with as few flips as can be.
+//! The patches of the repair while duplicates go: faces joined across matched sides, each patch kept on one side.
 //!
 //! A patch is made of pieces that were consistent before they merged, so a merge flips whole pieces, never more than
 //! half of the faces: each flip of a face at least doubles its patch, and all flips together are O(n log n).
 
 use std::cmp::Reverse;
 
-use meshmend_core::{Column, Connectivity, FaceId, Joined, PolygonMesh, SidedClasses, Unjudged};
-
-use super::live_matching::Pair;
-use super::repeats::{Cycles, Owners};
-use crate::matching::run_the_same_way;
+use meshmend_core::{Connectivity, FaceId, Joined, PolygonMesh, Unjudged};
 use meshmend_geometry::SignedVolume;
+use meshmend_topology::Side;
+
+use super::fates::Fates;
+use super::live_matching::Pair;
+use super::ownership::Ownership;
+use super::patch_table::{Consistency, Patch, PatchTable, Piece};
+use super::repeats::Repeats;
+use crate::matching::run_the_same_way;
 
 /// How the side of a patch is chosen.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Sides {
-    /// As stored: nothing is flipped.
-    Stored,
-    /// As most faces have it; on a tie as the lowest face has it.
+pub(super) enum Choice {
+    /// As stored: no face is flipped.
+    AsStored,
+    /// The side that flips fewer faces; on a tie the one that keeps the lowest face.
     Majority,
     /// Outward for closed patches, else by majority.
     Outward,
 }
 
-/// What happens to sides that contradict.
+/// What happens to matched sides that contradict those of the patch.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Contradiction {
-    /// The patch is twisted, and nothing in it is flipped from then on.
+pub(super) enum Contradiction {
+    /// The patch is twisted.
     Twists,
     /// The pair is not joined: it is part of a seam.
     Cuts,
 }
 
-pub(crate) struct Patches<'a, K> {
-    kernel: &'a K,
-    mesh: &'a PolygonMesh,
-    cycles: &'a Cycles,
-    sides: Sides,
-    contradiction: Contradiction,
-    sets: SidedClasses<FaceId>,
-    owners: Owners,
-    pub(crate) is_alive: Column<FaceId, bool>,
-    pub(crate) is_flipped: Column<FaceId, bool>,
-    /// The members of each patch, as rings; and the pieces of a patch that is being merged, likewise.
-    next_member: Column<FaceId, FaceId>,
-    next_piece: Column<FaceId, FaceId>,
-    patch: Column<FaceId, Patch>,
+/// How patches are oriented.
+#[derive(Clone, Copy)]
+pub(super) struct Policy {
+    pub(super) choice: Choice,
+    pub(super) contradiction: Contradiction,
 }
 
-/// What is known of a patch, at its root.
-#[derive(Clone, Copy)]
-struct Patch {
-    size: u32,
-    lowest: FaceId,
-    label: FaceId,
-    free_uses: u32,
-    /// A face is flipped when it is turned against its root, or this is set, but not both.
-    is_turned: bool,
-    is_twisted: bool,
-    is_cut: bool,
+/// What a matched pair did to a patch.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Event {
+    Merged,
+    /// The sides were on one patch already, and agree.
+    Closed,
+    Contradicted,
+}
+
+/// The patches of the faces that stay.
+pub(super) struct Patches<'a, K> {
+    kernel: &'a K,
+    mesh: &'a PolygonMesh,
+    policy: Policy,
+    table: PatchTable,
+    /// Kept only if some faces have the same cycle: else no patch is a duplicate.
+    ownership: Option<Ownership<'a>>,
+    fates: Fates,
 }
 
 impl<'a, K: Connectivity> Patches<'a, K> {
-    /// Each alive face a patch of its own.
-    pub(crate) fn new(
-        kernel: &'a K,
-        mesh: &'a PolygonMesh,
-        cycles: &'a Cycles,
-        (sides, contradiction): (Sides, Contradiction),
-        (is_alive, is_flipped): (Column<FaceId, bool>, Column<FaceId, bool>),
+    /// Each face that stays a patch of its own.
+    pub(super) fn new(
+        (kernel, mesh): (&'a K, &'a PolygonMesh),
+        repeats: &'a Repeats,
+        policy: Policy,
+        fates: Fates,
     ) -> Self {
         let count = kernel.face_count();
-        let mut owners = Owners::new(cycles, count);
-        let each = || (0..count as u32).map(FaceId);
-        if !cycles.is_empty() {
-            for face in each().filter(|&f| is_alive[f]) {
-                owners.enter(cycles.slot(face, is_flipped[face]), face);
-                owners.ask_again(face);
+        let ownership = (!repeats.is_empty()).then(|| {
+            let mut ownership = Ownership::new(repeats, count);
+            for face in fates.staying() {
+                ownership.enter(face, fates.is_flipped(face), face);
+                ownership.ask_about(face);
             }
-        }
-        let patch = |face| Patch {
-            size: 1,
-            lowest: face,
-            label: face,
-            free_uses: kernel.face_corners(face).count() as u32,
-            is_turned: is_flipped[face],
-            is_twisted: false,
-            is_cut: false,
-        };
-        Patches {
-            patch: each().map(patch).collect(),
-            sets: SidedClasses::new(count),
-            next_member: each().collect(),
-            next_piece: each().collect(),
-            kernel,
-            mesh,
-            cycles,
-            sides,
-            contradiction,
-            owners,
-            is_alive,
-            is_flipped,
-        }
+            ownership
+        });
+        let table = PatchTable::new(count, |face| kernel.face_corners(face).count() as u32);
+        Patches { kernel, mesh, policy, table, ownership, fates }
+    }
+
+    pub(super) fn fates(&self) -> &Fates {
+        &self.fates
+    }
+
+    pub(super) fn into_fates(self) -> Fates {
+        self.fates
     }
 
     /// Joins patches across newly matched sides, and orients what has come together.
-    pub(crate) fn merge(&mut self, pairs: &[Pair]) {
-        let (mut touched, mut twisted) = (Vec::new(), Vec::new());
-        let mut matched = Vec::new();
+    pub(super) fn join_across(&mut self, pairs: &[Pair]) {
+        let mut events: Vec<(FaceId, Event)> = Vec::new();
         for &(one, other) in pairs {
             let (f, g) = (self.kernel.corner_face(one), self.kernel.corner_face(other));
-            match self.sets.join(f, g, run_the_same_way(self.kernel, one, other)) {
-                Joined::Merged { root, child } => {
-                    swap(&mut self.next_piece, root, child);
-                    touched.push(root);
-                }
+            match self.table.join(f, g, run_the_same_way(self.kernel, one, other)) {
+                Joined::Merged { root, .. } => events.push((root, Event::Merged)),
+                // A side that is matched may close its patch.
+                Joined::Agrees if self.policy.choice == Choice::Outward => events.push((f, Event::Closed)),
                 Joined::Agrees => {}
-                Joined::Contradicts { root } => {
-                    twisted.push(root);
-                    continue;
-                }
-            }
-            if self.sides == Sides::Outward {
-                matched.push(f);
+                Joined::Contradicts { root } => events.push((root, Event::Contradicted)),
             }
         }
-        for faces in [&mut touched, &mut twisted, &mut matched] {
-            faces.iter_mut().for_each(|face| *face = self.sets.find(*face).0);
-            faces.sort_unstable();
-        }
-        let mut roots = [touched, twisted.clone(), matched.clone()].concat();
-        roots.sort_unstable();
-        roots.dedup();
-        for root in roots {
-            let matched_uses = 2 * run_length(&matched, root);
-            self.gather(root, twisted.binary_search(&root).is_ok(), matched_uses as u32);
+        events.iter_mut().for_each(|(face, _)| *face = self.table.root(*face));
+        events.sort_unstable();
+        for of_patch in events.chunk_by(|one, other| one.0 == other.0) {
+            self.settle(of_patch[0].0, of_patch);
         }
     }
 
-    /// Makes one patch of the pieces that were joined under a root.
-    fn gather(&mut self, root: FaceId, contradicts: bool, matched_uses: u32) {
-        let pieces = ring(&self.next_piece, root);
-        let known: Vec<Patch> = pieces.iter().map(|&p| self.patch[p]).collect();
-        let largest =
-            known.iter().max_by_key(|p| (p.size, Reverse(p.label))).copied().unwrap_or(self.patch[root]);
-        let size = known.iter().map(|p| p.size).sum();
-        let free: u32 = known.iter().map(|p| p.free_uses).sum();
-        let cuts = self.contradiction == Contradiction::Cuts;
-        let mut whole = Patch {
-            size,
-            lowest: known.iter().map(|p| p.lowest).min().unwrap_or(root),
-            label: largest.label,
-            free_uses: free.saturating_sub(matched_uses),
-            is_turned: false,
-            is_twisted: known.iter().any(|p| p.is_twisted) || (contradicts && !cuts),
-            is_cut: known.iter().any(|p| p.is_cut) || (contradicts && cuts),
+    /// Makes one patch of the pieces that were joined under a root, and orients it.
+    fn settle(&mut self, root: FaceId, events: &[(FaceId, Event)]) {
+        let fates = &self.fates;
+        let pieces = self.table.pieces(root, |face| fates.is_flipped(face));
+        let whole = self.whole(&pieces, events);
+        self.relabel(&pieces, whole.label);
+        if self.policy.choice != Choice::AsStored && whole.consistency != Consistency::Twisted {
+            let side = self.chosen_side(&pieces, &whole);
+            for piece in pieces.iter().filter(|piece| piece.side != side) {
+                self.flip(piece.root, whole.label);
+            }
+        }
+        self.table.close(root, &pieces, whole);
+        if let Some(ownership) = &mut self.ownership
+            && ownership.is_duplicate(whole.label)
+        {
+            ownership.ask_about(whole.label);
+        }
+    }
+
+    /// What is known of the patch that pieces make up.
+    fn whole(&self, pieces: &[Piece], events: &[(FaceId, Event)]) -> Patch {
+        let mut whole = *self.table.patch(pieces[0].root);
+        let mut largest = (whole.size, Reverse(whole.label));
+        for piece in &pieces[1..] {
+            let patch = self.table.patch(piece.root);
+            largest = largest.max((patch.size, Reverse(patch.label)));
+            whole.size += patch.size;
+            whole.lowest = whole.lowest.min(patch.lowest);
+            whole.free_sides += patch.free_sides;
+            whole.consistency = whole.consistency.max(patch.consistency);
+        }
+        whole.label = largest.1.0;
+        let contradicted = events.iter().filter(|(_, event)| *event == Event::Contradicted).count();
+        let matched = 2 * (events.len() - contradicted) as u32;
+        whole.free_sides = whole.free_sides.saturating_sub(matched);
+        if contradicted > 0 {
+            whole.consistency = whole.consistency.max(match self.policy.contradiction {
+                Contradiction::Twists => Consistency::Twisted,
+                Contradiction::Cuts => Consistency::Cut,
+            });
+        }
+        whole
+    }
+
+    /// The side that a patch of pieces gets. Pieces that lie on the other side are to be flipped.
+    fn chosen_side(&self, pieces: &[Piece], whole: &Patch) -> Side {
+        let is_closed = whole.free_sides == 0 && whole.consistency == Consistency::Consistent;
+        if self.policy.choice == Choice::Outward && is_closed {
+            match self.volume(pieces).sign() {
+                0 => {}
+                sign => return if sign < 0 { Side::Reversed } else { Side::Same },
+            }
+        }
+        self.majority(pieces, whole)
+    }
+
+    /// The volume that closed pieces enclose, if they all lie on the side [`Side::Same`].
+    fn volume(&self, pieces: &[Piece]) -> SignedVolume {
+        let mut volume = SignedVolume::default();
+        for piece in pieces {
+            let turns = piece.side == Side::Reversed;
+            for face in self.table.faces(piece.root) {
+                let is_flipped = self.fates.is_flipped(face) ^ turns;
+                volume.add_face(self.mesh, self.kernel.face_corners(face), is_flipped);
+            }
+        }
+        volume
+    }
+
+    /// The side on which more faces lie, and on a tie the lowest face.
+    fn majority(&self, pieces: &[Piece], whole: &Patch) -> Side {
+        let reversed = || {
+            let reversed = pieces.iter().filter(|piece| piece.side == Side::Reversed);
+            reversed.map(|piece| self.table.patch(piece.root))
         };
-        let turned: Vec<bool> =
-            pieces.iter().zip(&known).map(|(&p, k)| self.sets.find(p).1 ^ k.is_turned).collect();
-        for (&piece, known) in pieces.iter().zip(&known) {
-            if known.label != whole.label && !self.cycles.is_empty() {
-                self.relabel(piece, known.label, whole.label);
-            }
-        }
-        if self.sides != Sides::Stored && !whole.is_twisted {
-            whole.is_turned = self.chosen_side(&pieces, &known, &turned, &whole);
-            for (&piece, _) in pieces.iter().zip(&turned).filter(|(_, turned)| **turned != whole.is_turned) {
-                self.flip(piece, whole.label);
-            }
-        }
-        for &piece in &pieces {
-            self.next_piece[piece] = piece;
-            if piece != root {
-                swap(&mut self.next_member, root, piece);
-            }
-        }
-        self.patch[root] = whole;
-        if !self.cycles.is_empty() && self.owners.is_duplicate(whole.label) {
-            self.owners.ask_again(whole.label);
-        }
-    }
-
-    /// Whether the faces that agree with the root are to be flipped.
-    ///
-    /// A piece of which `turned` is set has to be flipped if the answer is no, and the others if it is yes.
-    fn chosen_side(&self, pieces: &[FaceId], known: &[Patch], turned: &[bool], whole: &Patch) -> bool {
-        if self.sides == Sides::Outward && whole.free_uses == 0 && !whole.is_cut {
-            let mut volume = SignedVolume::default();
-            for (&piece, turned) in pieces.iter().zip(turned) {
-                for face in ring(&self.next_member, piece) {
-                    let is_flipped = self.is_flipped[face] ^ turned;
-                    volume.add_face(self.mesh, self.kernel.face_corners(face), is_flipped);
-                }
-            }
-            if volume.sign() != 0 {
-                return volume.sign() < 0;
-            }
-        }
-        let of_turned = |(patch, turned): (&Patch, &bool)| if *turned { patch.size } else { 0 };
-        let flips_if_not: u32 = known.iter().zip(turned).map(of_turned).sum();
-        match (2 * u64::from(flips_if_not)).cmp(&u64::from(whole.size)) {
+        let count: u32 = reversed().map(|patch| patch.size).sum();
+        let is_reversed = match (2 * u64::from(count)).cmp(&u64::from(whole.size)) {
             std::cmp::Ordering::Less => false,
             std::cmp::Ordering::Greater => true,
-            std::cmp::Ordering::Equal => {
-                known.iter().zip(turned).any(|(patch, &turned)| patch.lowest == whole.lowest && turned)
-            }
-        }
+            std::cmp::Ordering::Equal => reversed().any(|patch| patch.lowest == whole.lowest),
+        };
+        if is_reversed { Side::Reversed } else { Side::Same }
     }
 
+    /// Flips the faces of a piece.
     fn flip(&mut self, piece: FaceId, label: FaceId) {
-        for face in ring(&self.next_member, piece) {
-            if !self.cycles.is_empty() {
-                self.owners.leave(self.cycles.slot(face, self.is_flipped[face]), label);
-                self.owners.enter(self.cycles.slot(face, !self.is_flipped[face]), label);
+        for face in self.table.faces(piece) {
+            let is_flipped = self.fates.is_flipped(face);
+            if let Some(ownership) = &mut self.ownership {
+                ownership.leave(face, is_flipped, label);
+                ownership.enter(face, !is_flipped, label);
             }
-            self.is_flipped[face] ^= true;
+            self.fates.flip(face);
         }
     }
 
-    fn relabel(&mut self, piece: FaceId, from: FaceId, to: FaceId) {
-        for face in ring(&self.next_member, piece) {
-            let slot = self.cycles.slot(face, self.is_flipped[face]);
-            self.owners.leave(slot, from);
-            self.owners.enter(slot, to);
+    /// Gives the faces of pieces with another label to the patch that they are now part of.
+    fn relabel(&mut self, pieces: &[Piece], label: FaceId) {
+        let Some(ownership) = &mut self.ownership else { return };
+        for piece in pieces {
+            let before = self.table.patch(piece.root).label;
+            if before == label {
+                continue;
+            }
+            for face in self.table.faces(piece.root) {
+                let is_flipped = self.fates.is_flipped(face);
+                ownership.leave(face, is_flipped, before);
+                ownership.enter(face, is_flipped, label);
+            }
         }
     }
 
     /// Drops patches each of whose faces is doubled, the same way, in another patch: the smallest first, of equal
     /// ones the one with the higher lowest face. Gives the faces that go.
     ///
-    /// One round is enough until patches merge or are flipped: who is not asked again still has the face that no
-    /// other patch doubles.
-    pub(crate) fn drop_duplicates(&mut self) -> Vec<FaceId> {
+    /// One round is enough until patches merge or are flipped: a patch that is not asked about again still has a face
+    /// that no other patch doubles.
+    pub(super) fn drop_duplicates(&mut self) -> Vec<FaceId> {
+        let mut gone = Vec::new();
+        let Some(ownership) = &mut self.ownership else { return gone };
         let mut candidates: Vec<(u32, Reverse<FaceId>, FaceId)> = Vec::new();
-        for label in self.owners.take_unblocked() {
-            let patch = self.patch[self.sets.find(label).0];
-            if patch.label == label && self.is_alive[label] && self.owners.is_duplicate(label) {
+        for label in ownership.take_to_ask() {
+            let root = self.table.root(label);
+            let patch = self.table.patch(root);
+            if patch.label == label && self.fates.stays(label) && ownership.is_duplicate(label) {
                 candidates.push((patch.size, Reverse(patch.lowest), label));
             }
         }
         candidates.sort_unstable();
         candidates.dedup();
-        let mut gone = Vec::new();
         for (_, _, label) in candidates {
-            if !self.owners.is_duplicate(label) {
+            if !ownership.is_duplicate(label) {
                 continue;
             }
-            for face in ring(&self.next_member, label) {
-                self.is_alive[face] = false;
-                self.owners.leave(self.cycles.slot(face, self.is_flipped[face]), label);
+            for face in self.table.faces(label) {
+                self.fates.remove(face);
+                ownership.leave(face, self.fates.is_flipped(face), label);
                 gone.push(face);
             }
         }
         gone
     }
 
-    /// The faces of each alive patch without a free use and with a consistent side, by lowest root. Free uses are
-    /// counted with [`Sides::Outward`] alone.
-    pub(crate) fn closed(&mut self) -> Vec<Vec<FaceId>> {
-        let faces = (0..self.kernel.face_count() as u32).map(FaceId);
-        let closed = faces.filter(|&f| {
-            let patch = self.patch[f];
-            let is_root = self.is_alive[f] && self.sets.find(f).0 == f;
-            is_root
-                && patch.free_uses == 0
-                && !patch.is_twisted
-                && !patch.is_cut
-                && self.kernel.is_proper_face(f)
-        });
-        closed.map(|root| ring(&self.next_member, root)).collect()
+    /// The roots of the patches that are left, ascending.
+    fn roots(&mut self) -> Vec<FaceId> {
+        let Patches { table, fates, .. } = self;
+        fates.staying().filter(|&face| table.is_root(face)).collect()
     }
 
-    /// The faces of each alive patch that has a consistent side but no outer one, and why, by lowest root. Asked only with
-    /// [`Sides::Outward`].
-    pub(crate) fn unjudged(&mut self) -> Vec<(Vec<FaceId>, Unjudged)> {
-        let mut found = Vec::new();
-        for face in (0..self.kernel.face_count() as u32).map(FaceId) {
-            let patch = self.patch[face];
-            let is_root = self.is_alive[face] && self.sets.find(face).0 == face;
-            if !is_root || patch.is_twisted || patch.is_cut || !self.kernel.is_proper_face(face) {
-                continue;
-            }
-            if patch.free_uses > 0 {
-                found.push((ring(&self.next_member, face), Unjudged::Open));
-            } else if self.volume_of(face).sign() == 0 {
-                found.push((ring(&self.next_member, face), Unjudged::NoVolume));
-            }
+    /// The patches that are left and have a consistent side, by root: each with its faces, and whether none of its
+    /// sides is free. Asked only with [`Choice::Outward`].
+    pub(super) fn oriented(&mut self) -> Vec<OrientedPatch> {
+        let roots = self.roots();
+        let proper = roots.into_iter().filter(|&root| self.kernel.is_proper_face(root));
+        let consistent = proper.filter(|&root| self.table.patch(root).consistency == Consistency::Consistent);
+        let patch = |root| OrientedPatch {
+            lowest: self.table.patch(root).lowest,
+            faces: self.table.faces(root).collect(),
+            is_closed: self.table.patch(root).free_sides == 0,
+        };
+        consistent.map(patch).collect()
+    }
+
+    /// Why a patch has no outer side, if it has none.
+    pub(super) fn unjudged(&self, patch: &OrientedPatch) -> Option<Unjudged> {
+        if !patch.is_closed {
+            return Some(Unjudged::Open);
         }
-        found
-    }
-
-    /// The volume that the patch of a root encloses.
-    fn volume_of(&self, root: FaceId) -> SignedVolume {
         let mut volume = SignedVolume::default();
-        for face in ring(&self.next_member, root) {
-            volume.add_face(self.mesh, self.kernel.face_corners(face), self.is_flipped[face]);
+        for &face in &patch.faces {
+            volume.add_face(self.mesh, self.kernel.face_corners(face), self.fates.is_flipped(face));
         }
-        volume
+        (volume.sign() == 0).then_some(Unjudged::NoVolume)
     }
 
-    /// Turns all faces of a patch.
-    pub(crate) fn turn(&mut self, faces: &[FaceId]) {
-        faces.iter().for_each(|&face| self.is_flipped[face] ^= true);
+    /// Flips all faces of a patch. From then on no duplicates are dropped.
+    pub(super) fn turn(&mut self, faces: &[FaceId]) {
+        faces.iter().for_each(|&face| self.fates.flip(face));
     }
 
-    /// The lowest face of each alive patch that has no consistent side, or that was cut to have one, ascending.
-    pub(crate) fn non_orientable(&mut self) -> Vec<FaceId> {
-        let roots = (0..self.kernel.face_count() as u32).map(FaceId).filter(|&f| self.is_alive[f]);
-        let mut found: Vec<FaceId> = roots
-            .filter(|&f| self.sets.find(f).0 == f && (self.patch[f].is_twisted || self.patch[f].is_cut))
-            .map(|f| self.patch[f].lowest)
+    /// The lowest face of each patch that is left and has no consistent side, ascending.
+    pub(super) fn non_orientable(&mut self) -> Vec<FaceId> {
+        let roots = self.roots().into_iter();
+        let patches = roots.map(|root| self.table.patch(root));
+        let mut found: Vec<FaceId> = patches
+            .filter(|patch| patch.consistency == Consistency::Twisted)
+            .map(|patch| patch.lowest)
             .collect();
         found.sort_unstable();
         found
     }
 }
 
-/// The members of a ring, beginning with the given one.
-fn ring(next: &Column<FaceId, FaceId>, first: FaceId) -> Vec<FaceId> {
-    let mut members = vec![first];
-    let mut at = next[first];
-    while at != first {
-        members.push(at);
-        at = next[at];
-    }
-    members
-}
-
-/// How often a value stands in a sorted list.
-fn run_length(sorted: &[FaceId], value: FaceId) -> usize {
-    sorted.partition_point(|&v| v <= value) - sorted.partition_point(|&v| v < value)
-}
-
-/// Makes one ring of two.
-fn swap(next: &mut Column<FaceId, FaceId>, one: FaceId, other: FaceId) {
-    let after = next[one];
-    next[one] = next[other];
-    next[other] = after;
+/// A patch with a consistent side.
+pub(super) struct OrientedPatch {
+    pub(super) lowest: FaceId,
+    /// Not in order.
+    pub(super) faces: Vec<FaceId>,
+    pub(super) is_closed: bool,
 }
