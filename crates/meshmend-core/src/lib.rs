@@ -14,6 +14,8 @@
 //!    [`Defect`]s: a kind, the [`Element`] where it is, and a count. All that is said of a kind is its [`Rule`].
 //! 5. **Provenance is the record of change.** A pass says for each new face and corner which old one it came
 //!    from ([`Provenance`]); everything else is derived, and attributes ride on it ([`Draft`]).
+//!
+//! The features `rayon` (large meshes on several threads) and `serde` (records and defects as JSON) are on by default.
 
 mod attributes;
 mod changes;
@@ -28,6 +30,9 @@ mod ids;
 mod kernel;
 mod polygon_mesh;
 mod printable;
+#[cfg(feature = "serde")]
+mod serialized;
+mod threads;
 mod words;
 
 pub use attributes::{

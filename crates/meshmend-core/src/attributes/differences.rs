@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use serde::{Serialize, Serializer};
-
 use crate::{Domain, Layer, Role};
 
 /// Something by which a face over the vertices of another one is told from it.
@@ -119,13 +117,6 @@ impl fmt::Display for Differences {
     }
 }
 
-impl Serialize for Differences {
-    /// A list of names.
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.iter().map(Aspect::name))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -139,7 +130,6 @@ mod tests {
         assert_eq!(set(&[Aspect::TexCoord, Aspect::Material]).to_string(), "material and texcoord");
         assert_eq!(set(&Aspect::ALL).iter().collect::<Vec<_>>(), Aspect::ALL);
         let two = set(&[Aspect::FaceColor, Aspect::Object, Aspect::Object]);
-        assert_eq!(serde_json::to_value(two).unwrap(), serde_json::json!(["object", "face color"]));
         assert!(set(&[]).is_empty() && !two.is_empty());
     }
 

@@ -3,8 +3,6 @@
 //! A pass never sees a layer: readers give roles, and
 //! [`PolygonMesh::rebuild`](crate::PolygonMesh::rebuild) asks the one table here.
 
-use serde::{Deserialize, Serialize};
-
 /// What the values of a layer mean.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
@@ -35,8 +33,9 @@ pub enum Role {
 }
 
 /// What happens to stored normals where a face is turned round.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum FlippedNormals {
     /// They turn with the face; the handedness of tangents changes with them.
     #[default]

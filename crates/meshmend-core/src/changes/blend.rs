@@ -1,20 +1,19 @@
 //! Where a created element lies.
 
-use serde::Serialize;
-
 use crate::{CornerId, FaceId, FaceTable, Sources};
 
 /// Where a created element lies, in terms of the old mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Blend {
     /// On the side between two neighbouring corners of a face: from + (to − from) · numerator / denominator.
     Along {
         /// The corner at which it would lie for numerator 0.
-        #[serde(rename = "from_corner")]
+        #[cfg_attr(feature = "serde", serde(rename = "from_corner"))]
         from: CornerId,
         /// The corner at which it would lie for numerator = denominator.
-        #[serde(rename = "to_corner")]
+        #[cfg_attr(feature = "serde", serde(rename = "to_corner"))]
         to: CornerId,
         /// How many parts of the way.
         numerator: u32,

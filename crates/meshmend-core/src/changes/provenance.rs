@@ -5,12 +5,11 @@
 //! compose. The map of vertices is then read off the corners: composing vertex maps would claim that a vertex
 //! that was welded and then split again came from all the welded ones.
 
-use serde::Serialize;
-
 use crate::{Blend, Counts, FaceId, FaceTable, Id, Sources, VertexId};
 
 /// Where every element of a mesh came from.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Provenance {
     /// The size of the mesh before.
     pub before: Counts,
@@ -19,7 +18,7 @@ pub struct Provenance {
     /// For each new face the old face that it is, or is a part of.
     pub faces: Sources<FaceId>,
     /// For each new corner the old corner that it is.
-    #[serde(skip)]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub corners: Sources<crate::CornerId>,
     /// The new faces that run the other way round than their sources, ascending.
     pub flipped: Vec<FaceId>,

@@ -1,7 +1,5 @@
 //! Where each element of one kind came from.
 
-use serde::Serialize;
-
 use crate::Id;
 
 /// For each new element the old one that it is, or nothing when it was created.
@@ -98,12 +96,5 @@ impl<I: Id> From<Vec<I>> for Sources<I> {
 impl<I: Id> PartialEq for Sources<I> {
     fn eq(&self, other: &Self) -> bool {
         self.count == other.count && self.iter().eq(other.iter())
-    }
-}
-
-impl<I: Id> Serialize for Sources<I> {
-    /// A list with the old index of each new element, `null` for a created one.
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.iter().map(|(_, old)| old.map(|o| o.index())))
     }
 }

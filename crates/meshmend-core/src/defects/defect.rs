@@ -2,9 +2,6 @@
 
 use std::fmt;
 
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
-
 use super::{DefectKind, Element};
 use crate::{Differences, VertexId, counted};
 
@@ -47,8 +44,9 @@ pub enum Detail {
 }
 
 /// Why it can't be told which side of a patch is the outer one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Unjudged {
     /// The patch has a boundary.
     Open,
@@ -133,61 +131,14 @@ impl fmt::Display for Detail {
     }
 }
 
-/// One flat map: the kind, the keys of the element, what is beside it as a map of its own, the count under the name that
-/// the rule gives it, and the sentence as `message`.
-impl Serialize for Defect {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("kind", &self.kind)?;
-        self.at.serialize_into(&mut map)?;
-        if let Some(beside) = &self.beside {
-            map.serialize_entry("beside", &Beside(beside))?;
-        }
-        if let Some(name) = self.kind.rule().counts {
-            map.serialize_entry(name, &self.count)?;
-        }
-        match &self.detail {
-            Detail::None => {}
-            Detail::BoundaryOnly(answer) => map.serialize_entry("boundary_only", answer)?,
-            Detail::Differs(differs) => map.serialize_entry("differs", differs)?,
-            Detail::Unjudged(reason) => map.serialize_entry("reason", reason)?,
-        }
-        map.serialize_entry("message", &self.to_string())?;
-        map.end()
-    }
-}
-
-struct Beside<'a>(&'a Element);
-
-impl Serialize for Beside<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        self.0.serialize_into(&mut map)?;
-        map.end()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{EdgeId, FaceId};
+    use crate::FaceId;
 
     #[test]
     fn a_defect_is_small_as_there_can_be_millions() {
         assert!(size_of::<Defect>() <= 56, "{}", size_of::<Defect>());
-    }
-
-    #[test]
-    fn the_serialised_form_has_the_keys_of_its_element() {
-        let ends = [VertexId(1), VertexId(4)];
-        let edge = serde_json::to_value(Defect::non_manifold_edge(EdgeId(2), ends, 3)).unwrap();
-        let message = "e2 v1-v4 has 3 sides";
-        let expected = serde_json::json!({
-            "kind": "non-manifold-edge", "element": "edge", "edge": 2, "ends": [1, 4], "degree": 3, "message": message,
-        });
-        assert_eq!(edge, expected);
-        let repeat = serde_json::to_value(Defect::duplicate_face(FaceId(3), FaceId(0))).unwrap();
-        assert_eq!(repeat["beside"], serde_json::json!({"element": "face", "face": 0}));
     }
 
     #[test]

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use serde::ser::SerializeMap;
-
 use crate::{EdgeId, FaceId, VertexId, counted};
 
 /// An element of a mesh, or several that are one place.
@@ -102,35 +100,6 @@ impl Element {
             Element::Face(_) | Element::Patch(_) | Element::Strip(_) => {}
         }
         self
-    }
-
-    /// Writes the element's keys into a map: what it is called, and its ids.
-    pub(super) fn serialize_into<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
-        map.serialize_entry("element", self.name())?;
-        match self {
-            Element::Vertex(vertex) => map.serialize_entry("vertex", vertex),
-            Element::Edge { edge, ends } => {
-                map.serialize_entry("edge", edge)?;
-                map.serialize_entry("ends", ends)
-            }
-            Element::Face(face) | Element::Patch(face) => map.serialize_entry("face", face),
-            Element::Corner { face, vertex } => {
-                map.serialize_entry("face", face)?;
-                map.serialize_entry("vertex", vertex)
-            }
-            Element::LooseEdge { index, ends } => {
-                map.serialize_entry("index", index)?;
-                map.serialize_entry("ends", ends)
-            }
-            Element::LoosePoint { index, vertex } => {
-                map.serialize_entry("index", index)?;
-                map.serialize_entry("vertex", vertex)
-            }
-            Element::Strip(strip) => {
-                map.serialize_entry("faces", &strip.faces)?;
-                map.serialize_entry("edges", &strip.edges)
-            }
-        }
     }
 }
 

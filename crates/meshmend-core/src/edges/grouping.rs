@@ -12,9 +12,7 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
-use crate::FaceTable;
+use crate::{FaceTable, threads};
 
 /// Records of a key and an item each, always the same ones in the same order.
 pub(crate) trait Records<T>: Sync {
@@ -49,7 +47,7 @@ impl Strategy {
     pub(crate) fn for_table(faces: &FaceTable) -> Self {
         // A small mesh is no reason to start threads.
         let is_large = faces.corner_count() >= LARGE;
-        let threads = if is_large { rayon::current_num_threads().min(MOST_THREADS) } else { 1 };
+        let threads = if is_large { threads::count().min(MOST_THREADS) } else { 1 };
         // Each thread has a cache of its own, but also looks at all records, unless they are parted.
         let are_many = faces.vertex_count() * threads >= MANY_VERTICES;
         Strategy { threads, is_scattered: are_many && is_scattered(faces) }
@@ -119,7 +117,7 @@ impl Strategy {
         };
         match self.threads {
             1 => slots.chunks_mut(share).enumerate().for_each(fill),
-            _ => slots.par_chunks_mut(share).enumerate().for_each(fill),
+            _ => threads::for_each_chunk(slots, share, fill),
         }
     }
 
@@ -129,13 +127,13 @@ impl Strategy {
         one: impl FnOnce() -> A + Send,
         other: impl FnOnce() -> B + Send,
     ) -> (A, B) {
-        if self.threads == 1 { (one(), other()) } else { rayon::join(one, other) }
+        if self.threads == 1 { (one(), other()) } else { threads::join(one, other) }
     }
 
     fn map<S: Sync, R: Send>(self, items: &[S], each: impl Fn(&S) -> R + Sync + Send) -> Vec<R> {
         match self.threads {
             1 => items.iter().map(each).collect(),
-            _ => items.par_iter().map(each).collect(),
+            _ => threads::map(items, each),
         }
     }
 }

@@ -4,15 +4,14 @@ use std::cell::OnceCell;
 use std::fmt;
 use std::sync::Arc;
 
-use serde::Serialize;
-
 use crate::{
     Capabilities, Column, Complex, Connectivity, Defect, DefectKind, EdgeClass, EdgeUse, FaceId, FaceTable,
     VertexClass, VertexId, distinct_count, edge_class, is_inconsistent, vertex_classes,
 };
 
 /// Why a kernel can't hold a mesh: every reason, never only the first.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Refusal {
     /// The kernel that refuses.
     pub kernel: &'static str,

@@ -1,9 +1,8 @@
 //! What a kernel holds, and what it offers.
 
-use serde::Serialize;
-
 /// What a kernel admits, and what it offers beyond the questions that all kernels answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Capabilities {
     /// Faces that come back to a vertex.
     pub non_simple_faces: bool,

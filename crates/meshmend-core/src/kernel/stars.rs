@@ -1,8 +1,6 @@
 //! The local classes: what an edge's and a vertex's star look like.
 
-use rayon::prelude::*;
-
-use crate::{Classes, Column, Connectivity, CornerId, EdgeId, Id, VertexId};
+use crate::{Classes, Column, Connectivity, CornerId, EdgeId, Id, VertexId, threads};
 
 /// What an edge is, by the number of sides that run along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -94,8 +92,7 @@ pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexCla
         let mut star = Star::default();
         return vertices.map(|v| class(&mut star, v)).collect();
     }
-    let vertices = vertices.into_par_iter().with_min_len(CHUNK);
-    vertices.map_init(Star::default, class).collect::<Vec<_>>().into()
+    threads::map_with(vertices, CHUNK, Star::default, class).into()
 }
 
 /// The vertices in some face that are neither disc nor half-disc, ascending, with what they are.
@@ -106,7 +103,7 @@ pub fn irregular_vertices<K: Connectivity>(kernel: &K) -> Vec<(VertexId, VertexC
     if chunks.len() <= 1 {
         return chunks.flat_map(|chunk| irregular_in_chunk(kernel, chunk)).collect();
     }
-    chunks.into_par_iter().flat_map_iter(|chunk| irregular_in_chunk(kernel, chunk)).collect()
+    threads::flat_map(chunks, |chunk| irregular_in_chunk(kernel, chunk))
 }
 
 /// Whether every edge has one side or two, and every vertex in a face one umbrella.
@@ -115,7 +112,7 @@ pub fn irregular_vertices<K: Connectivity>(kernel: &K) -> Vec<(VertexId, VertexC
 pub fn is_manifold<K: Connectivity>(kernel: &K) -> bool {
     let mut chunks = 0..kernel.vertex_count().div_ceil(CHUNK);
     let is_manifold = |chunk| irregular_in_chunk(kernel, chunk).next().is_none();
-    if chunks.len() <= 1 { chunks.all(is_manifold) } else { chunks.into_par_iter().all(is_manifold) }
+    if chunks.len() <= 1 { chunks.all(is_manifold) } else { threads::all(chunks, is_manifold) }
 }
 
 fn irregular_in_chunk<K: Connectivity>(

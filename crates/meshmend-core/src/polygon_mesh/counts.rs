@@ -1,9 +1,8 @@
 //! How many elements a mesh has.
 
-use serde::Serialize;
-
 /// How many elements a mesh has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Counts {
     /// Vertices, unreferenced ones included.
     pub vertices: usize,
