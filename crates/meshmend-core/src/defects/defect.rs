@@ -1,58 +1,9 @@
-//! One thing that is wrong, as data.
+//! What a defect says of itself.
 
 use std::fmt;
 
-use super::{DefectKind, Element};
-use crate::{Differences, VertexId, counted};
-
-/// One thing that is wrong, with its place.
-///
-/// ```
-/// use meshmend_core::{Defect, DefectKind, EdgeId, Element, VertexId};
-///
-/// let defect = Defect::non_manifold_edge(EdgeId(7), [VertexId(3), VertexId(4)], 3);
-/// assert_eq!((defect.kind, defect.count), (DefectKind::NonManifoldEdge, 3));
-/// assert_eq!(defect.at.ends(), Some([VertexId(3), VertexId(4)]));
-/// assert_eq!(defect.to_string(), "e7 v3-v4 has 3 sides");
-/// ```
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Defect {
-    /// What kind of thing is wrong.
-    pub kind: DefectKind,
-    /// Where it is.
-    pub at: Element,
-    /// The element beside which that one is wrong: the face that it repeats, the vertex at whose place it is.
-    pub beside: Option<Element>,
-    /// How many there are of what the kind counts, such as sides or corners; 0 where it counts nothing.
-    pub count: u32,
-    /// What else some kinds tell.
-    pub detail: Detail,
-}
-
-/// What some kinds of defect tell beside elements and a count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum Detail {
-    /// Nothing.
-    None,
-    /// Whether all umbrellas of a vertex are open fans.
-    BoundaryOnly(bool),
-    /// In what a face differs from the one that it repeats.
-    Differs(Differences),
-    /// Why a patch was not judged.
-    Unjudged(Unjudged),
-}
-
-/// Why it can't be told which side of a patch is the outer one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Unjudged {
-    /// The patch has a boundary.
-    Open,
-    /// The patch encloses no volume, or none that rounding could not have made.
-    NoVolume,
-}
+use super::{Defect, DefectKind, Detail, Element, Unjudged};
+use crate::{VertexId, counted};
 
 impl Defect {
     /// A defect of a kind at an element.

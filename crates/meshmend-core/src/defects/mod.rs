@@ -5,31 +5,54 @@
 //! here with its [`Rule`], and one row of the registry below. Places, reports, explanations and refusals follow from the
 //! element and the rule.
 
+macro_rules! registered_kinds {
+    ($with:ident) => {
+        $with! {
+            degenerate_face DegenerateFace
+            non_simple_face NonSimpleFace
+            face_with_hole FaceWithHole
+            crossing_face CrossingFace
+            repeated_corner RepeatedCorner
+            duplicate_face DuplicateFace
+            opposite_face OppositeFace
+            differing_face DifferingFace
+            polygon_face PolygonFace
+            non_finite_face NonFiniteFace
+            boundary_edge BoundaryEdge
+            non_manifold_edge NonManifoldEdge
+            inconsistent_edge InconsistentEdge
+            seam_edge SeamEdge
+            coincident_edges CoincidentEdges
+            pinched_vertex PinchedVertex
+            singular_vertex SingularVertex
+            non_finite_vertex NonFiniteVertex
+            unreferenced_vertex UnreferencedVertex
+            coincident_vertex CoincidentVertex
+            loose_edge LooseEdge
+            loose_point LoosePoint
+            non_orientable_patch NonOrientablePatch
+            unjudged_patch UnjudgedPatch
+            turned_cavity TurnedCavity
+        }
+    };
+}
+
 mod defect;
 mod element;
 mod place;
 mod rule;
 mod rules;
+mod vocabulary;
 
-pub use defect::{Defect, Detail, Unjudged};
 pub use element::{Element, Strip};
-pub use rule::{Defects, Found, Listed, Rule, Severity};
 pub use rules::{RuleError, Rules};
+pub use vocabulary::{Defect, DefectKind, Defects, Detail, Found, Listed, Rule, Severity, Unjudged};
 
 use std::fmt;
 
-macro_rules! kinds {
+macro_rules! files {
     ($($file:ident $kind:ident)*) => {
         $(mod $file;)*
-
-        /// What kind of thing is wrong, without its place.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[allow(missing_docs, reason = "each kind is explained by its rule")]
-        pub enum DefectKind {
-            $($kind,)*
-            /// A kind of somebody's own, which [`Rules::with`] makes known to a check.
-            Own(&'static Rule),
-        }
 
         impl DefectKind {
             /// Every kind that meshmend has, in the order in which reports list them.
@@ -46,33 +69,7 @@ macro_rules! kinds {
     };
 }
 
-kinds! {
-    degenerate_face DegenerateFace
-    non_simple_face NonSimpleFace
-    face_with_hole FaceWithHole
-    crossing_face CrossingFace
-    repeated_corner RepeatedCorner
-    duplicate_face DuplicateFace
-    opposite_face OppositeFace
-    differing_face DifferingFace
-    polygon_face PolygonFace
-    non_finite_face NonFiniteFace
-    boundary_edge BoundaryEdge
-    non_manifold_edge NonManifoldEdge
-    inconsistent_edge InconsistentEdge
-    seam_edge SeamEdge
-    coincident_edges CoincidentEdges
-    pinched_vertex PinchedVertex
-    singular_vertex SingularVertex
-    non_finite_vertex NonFiniteVertex
-    unreferenced_vertex UnreferencedVertex
-    coincident_vertex CoincidentVertex
-    loose_edge LooseEdge
-    loose_point LoosePoint
-    non_orientable_patch NonOrientablePatch
-    unjudged_patch UnjudgedPatch
-    turned_cavity TurnedCavity
-}
+registered_kinds!(files);
 
 impl DefectKind {
     /// The stable name in reports and on the command line.
