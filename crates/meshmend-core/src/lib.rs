@@ -52,8 +52,9 @@ pub use faces::{
 };
 pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
 pub use kernel::{
-    Capabilities, Connectivity, EdgeClass, EdgeUse, ManifoldConnectivity, Refusal, Umbrellas, VertexClass,
-    admission, edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas, vertex_classes,
+    Build, Capabilities, Connectivity, EdgeClass, EdgeUse, ManifoldConnectivity, Refusal, Umbrellas,
+    VertexClass, admission, edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas,
+    vertex_classes,
 };
 pub use polygon_mesh::{Counts, MeshArrays, MeshError, Metadata, PolygonMesh};
 pub use printable::printable;

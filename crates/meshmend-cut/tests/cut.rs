@@ -5,8 +5,7 @@
 use std::collections::BTreeSet;
 
 use meshmend_core::{
-    Carry, Column, Connectivity, Defect, DefectKind, Domain, EdgeId, EdgeUse, Layer, PolygonMesh, Values,
-    VertexId,
+    Build, Carry, Column, Defect, DefectKind, Domain, EdgeId, EdgeUse, Layer, PolygonMesh, Values, VertexId,
 };
 use meshmend_cut::{CutAlong, CutError, CutOpen, Discs, cut_open, cut_to_discs};
 use meshmend_geometry::edge_lengths;

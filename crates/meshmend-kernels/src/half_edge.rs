@@ -258,7 +258,7 @@ fn first_halves(halves: &Column<Half, Record>, faces: &FaceTable) -> Column<Vert
 mod tests {
     use std::sync::Arc;
 
-    use meshmend_core::{FaceTableBuilder, Refusal};
+    use meshmend_core::{Build, FaceTableBuilder, Refusal};
     use meshmend_testkit::worlds::damaged_grid;
     use proptest::prelude::*;
 

@@ -378,7 +378,7 @@ fn exactly<T>(items: impl ExactSizeIterator<Item = T>) -> Vec<T> {
 mod tests {
     use std::sync::Arc;
 
-    use meshmend_core::{FaceTableBuilder, Refusal};
+    use meshmend_core::{Build, FaceTableBuilder, Refusal};
     use meshmend_testkit::worlds::{damaged_grid, self_touching};
     use proptest::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use meshmend_core::{Capabilities, Complex, Connectivity, Refusal};
+use meshmend_core::{Build, Capabilities, Complex, Connectivity, Refusal};
 
 /// A question to ask of a complex, whichever kernel holds it.
 ///

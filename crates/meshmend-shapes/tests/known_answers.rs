@@ -4,8 +4,7 @@
 
 use std::collections::BTreeSet;
 
-use meshmend_core::Connectivity;
-use meshmend_core::{EdgeUse, FaceTable, Id, PolygonMesh};
+use meshmend_core::{Build, EdgeUse, FaceTable, Id, PolygonMesh};
 use meshmend_shapes::*;
 use meshmend_topology::{TopologyReport, topology};
 

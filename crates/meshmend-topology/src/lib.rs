@@ -4,7 +4,7 @@
 //! kernel gives the same answer. [`topology`] asks them all and returns a [`TopologyReport`] of plain facts.
 //!
 //! ```
-//! use meshmend_core::{Connectivity, EdgeUse, FaceTable, PolygonMesh, VertexId};
+//! use meshmend_core::{Build, EdgeUse, FaceTable, PolygonMesh, VertexId};
 //! use meshmend_topology::topology;
 //!
 //! let tetrahedron = [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0].map(VertexId).to_vec();

@@ -1,6 +1,6 @@
 //! Small shapes with known answers, and random soups, for the tests of this crate.
 
-use meshmend_core::{Connectivity, EdgeUse, FaceTableBuilder, PolygonMesh, VertexId};
+use meshmend_core::{Build, EdgeUse, FaceTableBuilder, PolygonMesh, VertexId};
 
 use crate::{TopologyReport, topology};
 

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use meshmend_core::{Column, Connectivity, EdgeId, EdgeUse, FaceId, PolygonMesh, VertexId};
+use meshmend_core::{Build, Column, Connectivity, EdgeId, EdgeUse, FaceId, PolygonMesh, VertexId};
 use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_testkit::Soup;
 use meshmend_testkit::shapes::{self, Closed, Shape, Tiles};

@@ -66,7 +66,7 @@
 //! chosen by name, and every kernel gives the same answers, or says everything that it can't hold.
 //!
 //! ```
-//! use meshmend::mesh::Connectivity;
+//! use meshmend::mesh::{Build, Connectivity};
 //! use meshmend::kernels::HalfEdge;
 //! # use meshmend::{FaceTable, PolygonMesh, VertexId};
 //! # let corners = [0, 1, 2, 0, 1, 3].map(VertexId).to_vec();

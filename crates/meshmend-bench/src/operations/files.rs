@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use meshmend::mesh::{Connectivity, EdgeUse};
+use meshmend::mesh::{Build, EdgeUse};
 use meshmend::topology::topology;
 use meshmend::{Distance, Plan, PolygonMesh, ReadOptions, View, WriteOptions, read, write};
 

@@ -1,6 +1,6 @@
 //! What is done with a mesh in memory, as the library does it when asked for just that.
 
-use meshmend::mesh::{Connectivity, EdgeUse};
+use meshmend::mesh::{Build, Connectivity, EdgeUse};
 use meshmend::passes::{Clean, Compact, Context, Orient, Split, Weld};
 use meshmend::topology::topology;
 use meshmend::{CutOptions, Distance, LoopOptions, Pass, Pipeline, PolygonMesh};

@@ -1,6 +1,6 @@
 //! The questions that every kernel answers.
 
-use crate::{Capabilities, Complex, CornerId, EdgeId, FaceId, Id, Refusal, VertexId, admission};
+use crate::{Capabilities, Complex, CornerId, EdgeId, FaceId, Id, VertexId};
 
 /// A way of storing which corners meet where, with the same answers from every implementation.
 ///
@@ -20,21 +20,9 @@ pub trait Connectivity: Sized + Send + Sync {
     /// What it holds and what it offers.
     const CAPABILITIES: Capabilities;
 
-    /// Builds the index. Only for a complex that [`admission`] has nothing against: there it can't fail.
+    /// Builds the index. Only for a complex that [`admission`](crate::admission()) has nothing against: there it can't
+    /// fail. [`Build::build`](crate::Build::build) asks first.
     fn assemble(complex: &Complex) -> Self;
-
-    /// Builds the index, or says everything that stands against it.
-    ///
-    /// # Errors
-    /// The full list of defects outside the kernel's capabilities.
-    fn build(complex: &Complex) -> Result<Self, Refusal> {
-        let defects = admission(complex, &Self::CAPABILITIES);
-        if defects.is_empty() {
-            Ok(Self::assemble(complex))
-        } else {
-            Err(Refusal { kernel: Self::NAME, defects })
-        }
-    }
 
     /// How many vertices the mesh has, unreferenced ones included.
     fn vertex_count(&self) -> usize;

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use meshmend_core::{
-    Capabilities, Complex, Connectivity, CornerId, EdgeId, FaceId, Id, Refusal, VertexId, admission,
+    Build, Capabilities, Complex, Connectivity, CornerId, EdgeId, FaceId, Id, Refusal, VertexId, admission,
 };
 
 use super::same;

@@ -54,6 +54,8 @@ impl DefectList {
 
 #[cfg(test)]
 mod tests {
+    use meshmend_core::Build;
+
     use super::*;
     use crate::topology;
     use meshmend_core::EdgeUse;

@@ -34,7 +34,7 @@ pub struct DuplicateFace {
 /// The faces of a complex that repeat an earlier one, ascending.
 ///
 /// ```
-/// # use meshmend_core::{Connectivity, EdgeUse, FaceId, FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_core::{Build, EdgeUse, FaceId, FaceTable, PolygonMesh, VertexId};
 /// # use meshmend_topology::{Likeness, duplicate_faces};
 /// let wall = [0, 1, 2, 1, 0, 2, 2, 1, 0].map(VertexId).to_vec();
 /// let mesh = PolygonMesh::new(vec![[0.0; 3]; 3], FaceTable::triangles(3, wall)?)?;

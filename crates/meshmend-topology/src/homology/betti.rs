@@ -55,7 +55,7 @@ pub struct Instigators {
 /// The Betti numbers of a complex, within [`ELIMINATION_BUDGET`].
 ///
 /// ```
-/// # use meshmend_core::{Connectivity, EdgeUse, FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_core::{Build, EdgeUse, FaceTable, PolygonMesh, VertexId};
 /// # use meshmend_topology::{betti, components, patches};
 /// // Two spheres that share a triangle enclose two voids.
 /// let faces = [0, 1, 2, 0, 1, 3, 1, 2, 3, 2, 0, 3, 0, 1, 4, 1, 2, 4, 2, 0, 4].map(VertexId).to_vec();

@@ -122,7 +122,7 @@ impl Incremental {
 /// What each cell of a complex does when they are added one after another, within [`REDUCTION_BUDGET`].
 ///
 /// ```
-/// # use meshmend_core::{EdgeUse, Connectivity, FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_core::{Build, EdgeUse, Connectivity, FaceTable, PolygonMesh, VertexId};
 /// # use meshmend_topology::{Cell, Effect, incremental, patches};
 /// let tetrahedron = [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0].map(VertexId).to_vec();
 /// let mesh = PolygonMesh::new(vec![[0.0; 3]; 4], FaceTable::triangles(4, tetrahedron)?)?;

@@ -31,7 +31,7 @@ pub struct CutGraph {
 /// The cut graphs of all components that are surfaces.
 ///
 /// ```
-/// # use meshmend_core::{Connectivity, EdgeId, EdgeUse, FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_core::{Build, Connectivity, EdgeId, EdgeUse, FaceTable, PolygonMesh, VertexId};
 /// # use meshmend_topology::{GeneratorOptions, cut_graph};
 /// // A tetrahedron opens along two edges.
 /// let faces = [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0].map(VertexId).to_vec();

@@ -23,7 +23,7 @@ pub struct Generators {
 /// The generators of the first homology of each component over ℤ/2.
 ///
 /// ```
-/// # use meshmend_core::{Connectivity, EdgeUse, FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_core::{Build, EdgeUse, FaceTable, PolygonMesh, VertexId};
 /// # use meshmend_topology::{GeneratorKind, GeneratorOptions, generators};
 /// // The torus with seven vertices.
 /// let corners = (0..7).flat_map(|i| [i, (i + 1) % 7, (i + 3) % 7, i, (i + 3) % 7, (i + 2) % 7]);

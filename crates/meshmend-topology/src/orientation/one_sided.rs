@@ -38,7 +38,7 @@ pub struct OneSidedLoop {
 /// The shortest one-sided loop of each patch that is not orientable, by the number of faces.
 ///
 /// ```
-/// # use meshmend_core::{Connectivity, EdgeUse, FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_core::{Build, EdgeUse, FaceTable, PolygonMesh, VertexId};
 /// # use meshmend_topology::{one_sided_loops, patches};
 /// let band = [0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 0, 4, 4, 0, 1].map(VertexId).to_vec();
 /// let mesh = PolygonMesh::new(vec![[0.0; 3]; 5], FaceTable::triangles(5, band)?)?;

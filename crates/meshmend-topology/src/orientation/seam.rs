@@ -48,7 +48,7 @@ pub struct Seam {
 /// A short seam of each patch that is not orientable, by the number of edges.
 ///
 /// ```
-/// # use meshmend_core::{Connectivity, EdgeUse, FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_core::{Build, EdgeUse, FaceTable, PolygonMesh, VertexId};
 /// # use meshmend_topology::{patches, seams};
 /// let band = [0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 0, 4, 4, 0, 1].map(VertexId).to_vec();
 /// let mesh = PolygonMesh::new(vec![[0.0; 3]; 5], FaceTable::triangles(5, band)?)?;

@@ -1,6 +1,6 @@
 //! All figures of shapes whose figures are known, and of random soups.
 
-use meshmend_core::{Connectivity, DefectKind, EdgeUse, Element};
+use meshmend_core::{Build, Connectivity, DefectKind, EdgeUse, Element};
 use serde_json::{Value, json};
 
 use super::*;

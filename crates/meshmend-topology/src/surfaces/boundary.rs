@@ -43,7 +43,7 @@ impl BoundaryLoops {
 /// The boundary loops of a complex.
 ///
 /// ```
-/// # use meshmend_core::{Connectivity, EdgeUse, FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_core::{Build, EdgeUse, FaceTable, PolygonMesh, VertexId};
 /// # use meshmend_topology::boundary_loops;
 /// let two_triangles = [0, 1, 2, 2, 1, 3].map(VertexId).to_vec();
 /// let mesh = PolygonMesh::new(vec![[0.0; 3]; 4], FaceTable::triangles(4, two_triangles)?)?;
