@@ -32,7 +32,8 @@ impl fmt::Display for Place {
     }
 }
 
-/// Why a file can't be read. Shown as `file: place: reason`. Its source is the error of the system, if that is the reason.
+/// Why a file can't be read. Shown as `file: place: reason`. Its source is the error of the system, if that is the
+/// reason.
 #[derive(Debug)]
 pub struct ReadError {
     /// The file, as it was named.
@@ -56,17 +57,17 @@ impl error::Error for ReadError {
     }
 }
 
-/// What is wrong with a file, sorted by whose fault it is.
+/// Why a file can't be read: what it is, what the system does, what its content is, or how large it is.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ReadErrorKind {
-    /// Neither the name nor the content tells a format that is read here, or the content is surely something else.
+    /// Neither the name nor the content shows a format that is read here, or the content is surely something else.
     #[error("{}", unknown(.looks_like))]
     UnknownFormat {
-        /// What the content surely is, if that is known.
+        /// What the content surely is, if it is known.
         looks_like: Option<&'static str>,
     },
-    /// The system can't give the file's bytes.
+    /// The system can't read the file.
     #[error("{0}")]
     Io(#[source] io::Error),
     /// The content breaks the rules of its format.
@@ -75,17 +76,17 @@ pub enum ReadErrorKind {
     /// The file holds more than the limits allow.
     #[error("{} more than the limit of {limit}{}", too_many(*found, what), name_of_limit(what))]
     LimitExceeded {
-        /// What there is too much of.
+        /// What exceeds its limit.
         what: &'static str,
-        /// How much of it there is, or at least is.
+        /// How much of it was found. There may be more.
         found: u64,
-        /// How much is allowed.
+        /// The limit.
         limit: u64,
     },
 }
 
-/// Why a file can't be written. Shown as `file: reason`. Its source is the error of the system or of the mesh, if one of
-/// those is the reason.
+/// Why a file can't be written. Shown as `file: reason`. Its source is the error of the system or of the mesh, if one
+/// of those is the reason.
 #[derive(Debug)]
 pub struct WriteError {
     /// The file, as it was named.
@@ -110,7 +111,7 @@ impl error::Error for WriteError {
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum WriteErrorKind {
-    /// The name does not tell a format that is written here.
+    /// Neither the options nor the name of the file show a format that is written here.
     #[error("the format is not known; known are {}", Format::names())]
     UnknownFormat,
     /// The format has no such encoding.
@@ -118,11 +119,10 @@ pub enum WriteErrorKind {
     NoSuchEncoding {
         /// The format.
         format: Format,
-        /// The encoding that was asked for.
+        /// The encoding that the options ask for.
         encoding: Encoding,
     },
-    /// The mesh has vertices whose attributes differ from face to face, and the options say that such a mesh is not
-    /// written.
+    /// The mesh has vertices whose attributes differ from face to face, and the options forbid to write such a mesh.
     #[error("{}: seams are not to be written", seam_vertices(*vertices))]
     Seams {
         /// How many vertices.
@@ -131,7 +131,7 @@ pub enum WriteErrorKind {
     /// The file would hold more elements than a mesh can.
     #[error("{0}")]
     TooLarge(#[from] DraftError),
-    /// The system can't take the bytes.
+    /// The system can't write the bytes.
     #[error("{0}")]
     Io(#[from] io::Error),
 }

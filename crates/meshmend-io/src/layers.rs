@@ -2,17 +2,17 @@
 
 use meshmend_core::{Domain, Layer, PolygonMesh, Values};
 
-/// Whether a layer's values are numbers, not names or lists.
+/// Whether the values of a layer are numbers, not names or lists.
 pub(crate) fn is_numeric(layer: &Layer) -> bool {
     !matches!(layer.values(), Values::Text(_) | Values::Lists { .. })
 }
 
-/// Whether a layer's values are numbers with a fraction.
+/// Whether the values of a layer are floating-point numbers.
 pub(crate) fn has_fractions(layer: &Layer) -> bool {
     matches!(layer.values(), Values::F32(_) | Values::F64(_))
 }
 
-/// The first layer of a name and domain that is fit for a use.
+/// The first layer of a name and domain that meets a condition.
 pub(crate) fn layer_of<'a>(
     mesh: &'a PolygonMesh,
     name: &str,
@@ -22,7 +22,7 @@ pub(crate) fn layer_of<'a>(
     mesh.layers().iter().find(|layer| layer.name() == name && layer.domain() == domain && is_fit(layer))
 }
 
-/// A number of a pool; names and lists have none.
+/// A number of a pool; NaN if the pool holds names or lists.
 #[inline]
 pub(crate) fn number(values: &Values, at: usize) -> f64 {
     match values {

@@ -1,10 +1,9 @@
 //! Reads and writes mesh files: OBJ, PLY, STL and OFF.
 //!
-//! A reader takes the bytes of a whole file and gives a [`PolygonMesh`] in which nothing is lost that the mesh
-//! can hold: faces of any size, degenerate ones, loose edges and points, attributes in the type in which they
-//! are stored, comments. What it can't hold is named in [`Note`]s; what is wrong is a [`ReadError`] with the
-//! line or the byte. A writer gives a file that reads back to the same bits, and names as [`Loss`]es what its
-//! format can't carry.
+//! A reader turns the bytes of a file into a [`PolygonMesh`]. It keeps all that a mesh can hold: faces of any size,
+//! degenerate faces, loose edges and points, attributes in the type in which they are stored, comments. [`Note`]s
+//! name what a mesh can't hold. A malformed file is a [`ReadError`] with the line or the byte. A writer makes a file
+//! that reads back to the same bits, and its [`Loss`]es name what the format can't carry.
 //!
 //! ```
 //! use meshmend_io::{Format, ReadOptions, WriteOptions, encode, read_bytes};
@@ -20,9 +19,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Only the named file is ever opened: what a file says about other files (`mtllib`) is kept as metadata.
+//! The only other files that are opened are the material libraries that an OBJ file names within its own folder, to
+//! see whether they and their images are there. What a file says about other files (`mtllib`) is kept as metadata.
 //!
-//! A format is one module with a `Driver` and one line in the registry of [`Format`].
+//! A format is one folder and one row of the registry (`formats/rows.rs`).
 //!
 //! [`PolygonMesh`]: meshmend_core::PolygonMesh
 

@@ -1,12 +1,12 @@
-//! How much a reader takes in before it refuses.
+//! How much a file may hold.
 
 use meshmend_core::MAX_CORNERS;
 
 use crate::text::one_or_many;
 
-/// What a file may hold at most. The defaults are finite, and beyond what fits the memory of most machines.
+/// What a file may hold at most. The defaults are finite, and larger than what the memory of most machines can hold.
 ///
-/// Memory follows the bytes that are present, never the counts that a file declares, whatever the limits are.
+/// Whatever the limits are, memory grows with the bytes that are present, never with the counts that a file declares.
 ///
 /// ```
 /// let limits = meshmend_io::Limits::default().with_max_faces(1_000_000);
@@ -17,7 +17,7 @@ use crate::text::one_or_many;
 pub struct Limits {
     /// Bytes of the file; 16 GiB by default.
     pub max_file_bytes: u64,
-    /// Bytes of a source that does not tell its size, such as a pipe or a device, which may have no end; 1 GiB by default.
+    /// Bytes of a source of unknown size, such as a pipe or a device, which may be endless; 1 GiB by default.
     pub max_stream_bytes: u64,
     /// Vertices; 2³¹ − 1 by default, which is also the most that a mesh holds.
     pub max_vertices: u64,
@@ -25,13 +25,13 @@ pub struct Limits {
     pub max_faces: u64,
     /// Corners of all faces together; 2³¹ − 1 by default, which is also the most that a mesh holds.
     pub max_corners: u64,
-    /// Comments that are kept as metadata; 10 000 by default. Further ones are counted in a note.
+    /// Comments that are kept as metadata; 10 000 by default. A note counts the others.
     pub max_comments: usize,
     /// Elements and properties that the header of a PLY file declares, together; 65 536 by default.
     pub max_declarations: u64,
 }
 
-/// What there can be too much of in a file, what one of it is, and the name of its limit.
+/// What is limited, what one of it is called, and the name of the limit.
 const NAMES: [(&str, &str, &str); 6] = [
     ("bytes", "byte", "max_file_bytes"),
     (STREAM_BYTES, "byte from a source that does not tell its size", "max_stream_bytes"),
@@ -41,19 +41,19 @@ const NAMES: [(&str, &str, &str); 6] = [
     (DECLARATIONS, "element or property", "max_declarations"),
 ];
 
-/// What a source without a size can have too much of.
+/// What a source of unknown size can have too much of.
 pub(crate) const STREAM_BYTES: &str = "bytes from a source that does not tell its size";
 
 /// What the header of a PLY file can have too much of.
 pub(crate) const DECLARATIONS: &str = "elements and properties";
 
-/// The name of the limit on something, in parentheses.
+/// The name of a limit, in parentheses.
 pub(crate) fn name_of_limit(what: &str) -> String {
     let found = NAMES.iter().find(|(limited, ..)| *limited == what);
     found.map_or(String::new(), |(.., name)| format!(" ({name})"))
 }
 
-/// That so much of something is there: `1 face is`, `2 faces are`.
+/// How much was found: `1 face is`, `2 faces are`.
 pub(crate) fn too_many(found: u64, what: &str) -> String {
     let one = NAMES.iter().find(|(limited, ..)| *limited == what).map_or(what, |(_, one, _)| one);
     one_or_many(found, &format!("{one} is"), &format!("{what} are"))
@@ -78,7 +78,7 @@ macro_rules! with_limit {
     ($($with:ident $limit:ident: $number:ty,)*) => {
         impl Limits {
             $(
-                #[doc = concat!("These limits with another [`", stringify!($limit), "`](Limits::", stringify!($limit), ").")]
+                #[doc = concat!("These limits with another [`", stringify!($limit), "`](Self::", stringify!($limit), ").")]
                 pub fn $with(self, $limit: $number) -> Self {
                     Limits { $limit, ..self }
                 }
@@ -98,7 +98,7 @@ with_limit! {
 }
 
 impl Limits {
-    /// These limits, and those of what a mesh holds.
+    /// These limits, narrowed to what a mesh can hold.
     pub(crate) fn within_a_mesh(self) -> Self {
         let most = Limits::default();
         Limits {

@@ -5,13 +5,13 @@ use std::fmt;
 use meshmend_core::{Domain, Layer};
 use serde::Serialize;
 
-/// Something of a mesh that a written file has no longer, or not exactly.
+/// Something of a mesh that a written file lacks, or holds inexactly.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
 pub struct Loss {
     /// What kind of loss it is.
     pub kind: LossKind,
-    /// How many elements are concerned.
+    /// How many elements it concerns.
     pub count: u64,
     /// What is lost, for people.
     pub message: String,
@@ -43,17 +43,17 @@ impl LostLayer {
 pub enum LossKind {
     /// An attribute layer is left out.
     Layer,
-    /// Some elements had no value in a layer, and the format has to give them one.
+    /// Some elements had no value in a layer. The format gives them one.
     AbsentValue,
-    /// Which vertex is which: the format stores coordinates only, and equal ones become one vertex again.
+    /// Vertices at the same point can't be told apart: the format stores coordinates only, so a reader joins them.
     SharedVertices,
-    /// Values are kept in another type, or with other elements.
+    /// Values are kept in another type, or at other elements.
     Converted,
     /// Positions are rounded to single precision.
     Precision,
-    /// Faces have no area any more, as positions are rounded.
+    /// Faces lose their area when positions are rounded.
     EmptiedFaces,
-    /// Vertices become one with others, as positions are rounded.
+    /// Vertices coincide with others when positions are rounded.
     JoinedVertices,
     /// Faces of more than three corners are cut into triangles.
     Polygons,
@@ -67,16 +67,16 @@ pub enum LossKind {
     LoosePoints,
     /// Statements about the file as a whole are left out.
     Metadata,
-    /// Files that the input names, such as material libraries, are not where the output would look for them.
+    /// Files that the input names, such as material libraries, are not where the output looks for them.
     Companion,
-    /// Names are spelled otherwise, as the format has no way to write them.
+    /// Names are spelled in another way, as the format can't write them.
     Names,
-    /// Vertices are written as several, as their attributes differ from face to face: the file is manifold by place, not by
-    /// index.
+    /// Vertices whose attributes differ from face to face are written several times: the file is manifold by place,
+    /// not by index.
     SeamVertices,
     /// Elements that only the format of the input holds are left out.
     Elements,
-    /// Elements that are carried as they were name vertices or faces by numbers that these have no longer.
+    /// Elements that are carried unchanged name vertices or faces by numbers that are out of date.
     StaleData,
 }
 
@@ -85,12 +85,12 @@ impl Loss {
         Loss { kind, count: count as u64, message: message.into(), layer: None }
     }
 
-    /// The loss, of which this is the layer.
+    /// This loss, as that of a layer.
     pub(crate) fn of_layer(self, layer: &Layer) -> Self {
         Loss { layer: Some(LostLayer::of(layer)), ..self }
     }
 
-    /// The loss if it concerns any element.
+    /// The loss, or `None` if it concerns no element.
     pub(crate) fn if_any(
         kind: LossKind,
         count: usize,

@@ -1,4 +1,4 @@
-//! What a reader has to say about a file that it accepts.
+//! What a reader remarks about a file that it accepts.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::Place;
 
-/// Something in an accepted file that is not in the mesh, or not as the file has it.
+/// Something in an accepted file that the mesh lacks, or holds in another way.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
 pub struct Note {
@@ -14,9 +14,9 @@ pub struct Note {
     pub kind: NoteKind,
     /// How often it applies.
     pub count: u64,
-    /// Where it applies first.
+    /// The first place where it applies.
     pub first: Place,
-    /// What it says, for people; without count and place.
+    /// The remark for people, without count and place.
     pub message: String,
 }
 
@@ -25,47 +25,47 @@ pub struct Note {
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum NoteKind {
-    /// A statement that is not understood was skipped.
+    /// A statement of unknown meaning was skipped.
     SkippedStatement,
-    /// An element or property that is not understood was skipped, or is carried to files of the same format alone.
+    /// An element or property of unknown meaning was skipped, or is carried to files of the same format only.
     SkippedElement,
     /// Content after the end of the data was skipped.
     SurplusData,
-    /// Columns beyond those that the format has were skipped.
+    /// Columns that the format does not have were skipped.
     SurplusColumns,
-    /// A corner names a texture coordinate or normal that does not exist, and has none instead.
+    /// A corner names a texture coordinate or normal that does not exist. The corner has none.
     AttributeOutOfRange,
-    /// Values of several widths were padded: with zeros, alphas as opaque.
+    /// Values of several widths were padded with zeros, or with an opaque alpha.
     MixedWidths,
     /// Attributes of loose edges and points were skipped.
     LooseAttribute,
     /// A group, object or material that no face has was skipped.
     UnusedName,
-    /// A file that this one names is not there.
+    /// A file that this one names does not exist.
     CompanionMissing,
-    /// A file that this one names is outside its folder, or is no plain file, and was not opened.
+    /// A file that this one names lies outside its folder, and was not opened.
     CompanionOutside,
     /// Comments beyond the limit were skipped.
     SkippedComment,
-    /// An end that the format asks for is missing, with nothing cut off.
+    /// The end mark that the format requires is missing, though no data is cut off.
     MissingEnd,
-    /// The name says another format than the content has.
+    /// The extension stands for another format than that of the content.
     WrongSuffix,
-    /// Rows of a text do not stand on a line each, but come out even.
+    /// Several rows of a text share a line, or a row spans lines; all values were accounted for.
     WrappedRows,
-    /// A header that is not written as its format says, but can be understood.
+    /// A header departs from its format, but can be understood.
     OddHeader,
-    /// Columns stand in another order than the format says, as their values tell.
+    /// The values show that columns stand in another order than the format says.
     ColumnOrder,
-    /// Triangles that lead a strip on to another one are no faces.
+    /// Triangles that only lead from one strip to the next are not faces.
     Stitches,
-    /// Stored normals of facets point elsewhere than the facets, and are computed afresh where they are written.
+    /// Stored normals of facets point elsewhere than the facets. A writer computes them from the corners.
     NormalsRecomputed,
-    /// Attribute bytes of facets are colours, or may be.
+    /// Attribute bytes of facets are colours, or may be colours.
     PerhapsColors,
     /// A coordinate is not a finite number.
     NonFinite,
-    /// There is no vertex.
+    /// The file has no vertex.
     Empty,
 }
 

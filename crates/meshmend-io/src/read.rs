@@ -1,4 +1,4 @@
-//! Reading: find the format, check the size, hand the bytes to the format's reader.
+//! Reading: find the format, check the size, hand the bytes to the reader of the format.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -11,15 +11,16 @@ use crate::limits::STREAM_BYTES;
 use crate::text::speculative_parse::Pace;
 use crate::{Format, Limits, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions};
 
-/// Reads a mesh file. Its content tells the format where it surely can, else its name does.
+/// Reads a mesh file. Its content decides on the format if it is unmistakable; else its name does.
 ///
-/// No other file is opened but the material libraries that an OBJ names within its own folder, to see whether they and
-/// their images are there.
+/// The only other files that are opened are the material libraries that an OBJ file names within its own folder, to
+/// see whether they and their images are there.
 ///
 /// # Errors
-/// When the system can't read it, its format is not known, its content is malformed or beyond the limits.
+/// If the system can't read the file, the format is unknown, the content is malformed, or a limit is exceeded.
 ///
-/// *Cost*: time is linear in the file's size. A text is held in memory while it is read; of binary values a block is.
+/// *Cost*: time is linear in the size of the file. A text is held in memory while it is read; of binary values, one
+/// block.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     let (name, limits) = (path.display().to_string(), &options.limits);
     let failed = |kind| ReadError { file: name.clone(), place: Place::File, kind };
@@ -40,28 +41,28 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     read_as(&bytes, &name, path, options).map(|file| (driver(file.format).look_beside)(file, path))
 }
 
-/// Reads a mesh from bytes, without a file system. The name tells the format as in [`read`], and stands in errors.
+/// Reads a mesh from bytes. The name is used as in [`read`] to find the format, and in errors.
 ///
 /// # Errors
-/// As [`read`], apart from the system.
+/// As [`read`], except for those of the system.
 pub fn read_bytes(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     read_as(bytes, name, Path::new(name), options)
 }
 
-/// Reads a mesh from a stream to its end, such as standard input. The name tells the format as in [`read`], and stands in
-/// errors.
+/// Reads a mesh from a stream, such as standard input, to its end. The name is used as in [`read`] to find the
+/// format, and in errors.
 ///
 /// # Errors
 /// As [`read`].
 ///
-/// *Cost*: time is linear in what the stream gives, all of which is held in memory.
+/// *Cost*: time and memory are linear in the bytes of the stream.
 pub fn read_stream(from: impl Read, name: &str, options: &ReadOptions) -> Result<ReadFile, ReadError> {
     let failed = |kind| ReadError { file: name.to_owned(), place: Place::File, kind };
     let bytes = take_in(Vec::new(), from, 0, Most::of(0, &options.limits)).map_err(failed)?;
     read_as(&bytes, name, Path::new(name), options)
 }
 
-/// What of a file is read before its format's reader takes over.
+/// How many bytes of a file are read before the reader of its format takes over.
 const HEAD: usize = 1 << 16;
 
 fn read_as(bytes: &[u8], name: &str, path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
@@ -79,15 +80,15 @@ fn file_of(parsed: Parsed, format: Format) -> ReadFile {
     ReadFile { mesh, format, variant, notes: notes.into_list(), shell }
 }
 
-/// In which format some content is to be read.
+/// The format in which content is to be read.
 struct Told {
     format: Format,
-    /// What the name says, where the content surely is something else.
+    /// The extension, if it stands for another format than that of the content.
     name_says: Option<String>,
 }
 
 impl Told {
-    /// What the caller says, else what the content surely is, else what the name says.
+    /// The format that the caller wants, or that of the content if it is unmistakable, or that of the name.
     fn of(wanted: Option<Format>, path: &Path, head: &[u8], length: u64) -> Result<Self, ReadErrorKind> {
         let plain = |format| Ok(Told { format, name_says: None });
         let by_name = Format::from_path(path);
@@ -109,7 +110,7 @@ impl Told {
         }
     }
 
-    /// What a reader says, and that the name says something else.
+    /// What a reader returns, with a remark if the name stands for another format.
     fn outcome(&self, parsed: Result<Parsed, ReadError>) -> Result<ReadFile, ReadError> {
         let Some(suffix) = &self.name_says else { return parsed.map(|parsed| file_of(parsed, self.format)) };
         let format = self.format;
@@ -128,7 +129,7 @@ impl Told {
     }
 }
 
-/// A file that is to be read, and how many bytes it says that it holds: none where it does not tell.
+/// An open file, and the size that the system gives: 0 if the size is unknown.
 fn open(path: &Path, limits: &Limits) -> Result<(File, usize), ReadErrorKind> {
     let file = File::open(path).map_err(ReadErrorKind::Io)?;
     let status = file.metadata().map_err(ReadErrorKind::Io)?;
@@ -142,7 +143,7 @@ fn open(path: &Path, limits: &Limits) -> Result<(File, usize), ReadErrorKind> {
     Ok((file, usize::try_from(found).unwrap_or(usize::MAX)))
 }
 
-/// How many bytes a source may give, and what they are called in errors.
+/// How many bytes a source may have, and what errors call them.
 #[derive(Clone, Copy)]
 struct Most {
     what: &'static str,
@@ -150,8 +151,8 @@ struct Most {
 }
 
 impl Most {
-    /// The limit for a source that says that it holds so many bytes. One that says nothing, such as a pipe or a device, may
-    /// have no end.
+    /// The limit for a source whose size is announced. A size of 0 is that of a pipe or a device, which may be
+    /// endless.
     fn of(announced: usize, limits: &Limits) -> Self {
         match announced {
             0 => Most { what: STREAM_BYTES, limit: limits.max_stream_bytes.min(limits.max_file_bytes) },
@@ -160,7 +161,7 @@ impl Most {
     }
 }
 
-/// The bytes at the start of a source, and all others that it gives; it says that it holds `announced`.
+/// Reads a source, of which some bytes have been read, to its end. Its announced size only makes room.
 fn take_in(
     mut bytes: Vec<u8>,
     from: impl Read,

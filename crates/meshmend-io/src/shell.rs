@@ -1,4 +1,4 @@
-//! What a file has round its mesh: what a writer of the same format needs to give the file back as it was.
+//! What a file has round its mesh: what a writer of the same format needs to write the file as it was.
 //!
 //! A reader puts it beside the mesh ([`ReadFile::shell`](crate::ReadFile::shell)), and a writer gets it through
 //! [`WriteOptions::as_read`](crate::WriteOptions::as_read). The shell of a mesh that comes from no file is empty.
@@ -25,16 +25,16 @@ struct FileForm {
     shape: Box<dyn Shape>,
 }
 
-/// What a format lets a writer choose, as a file has it. Each format has a type of its own for that.
+/// The choices of a format that a file shows. Each format has its own type for them.
 pub(crate) trait Shape: Any + fmt::Debug + Send + Sync {
     /// Whether another shape is of the same type and says the same.
     fn is_same(&self, other: &dyn Shape) -> bool;
 
-    /// What the file has beside its mesh that an output won't carry.
+    /// What the file has beside its mesh and an output won't carry.
     fn losses_in(&self, output: Output<'_>) -> Vec<Loss>;
 }
 
-/// The shape of a format that leaves a writer nothing to choose.
+/// The shape of a format without choices for a writer.
 #[derive(Debug, PartialEq)]
 pub(crate) struct NoChoices;
 
@@ -48,7 +48,7 @@ impl Shape for NoChoices {
     }
 }
 
-/// Where a file is to be written again.
+/// What is to be written from a mesh that was read from a file.
 #[derive(Clone, Copy)]
 pub(crate) enum Output<'a> {
     /// In its own format, in this folder if that is known.
@@ -85,12 +85,12 @@ impl Shell {
         self.file.as_ref().map(|file| file.encoding)
     }
 
-    /// What the file's writer chose, if there was a file of the format whose choices have this type.
+    /// The choices of the file's writer, if the file has the format of this type.
     pub(crate) fn shape<T: Shape>(&self) -> Option<&T> {
         self.file.as_ref().and_then(|file| file.shape.downcast())
     }
 
-    /// What the file has beside its mesh that a file of a format, in a folder if that is known, won't carry.
+    /// What the file has beside its mesh and a file of another kind, in this folder if it is known, won't carry.
     pub(crate) fn losses_in(&self, format: Format, folder: Option<&Path>) -> Vec<Loss> {
         let Some(file) = &self.file else { return Vec::new() };
         let output = if file.format == format { Output::OfSameFormat(folder) } else { Output::OfOtherFormat };

@@ -1,4 +1,4 @@
-//! Writing: find the format, prepare the mesh, put the bytes in the file's place all at once.
+//! Writing: find the format, prepare the mesh, replace the file in one step.
 
 use std::io;
 use std::path::Path;
@@ -7,11 +7,12 @@ use meshmend_core::PolygonMesh;
 
 use crate::{Loss, Prepared, WriteError, WriteOptions};
 
-/// Writes a mesh to a file, all or nothing (see [`replace_file`](crate::replace_file)), and says what the format can't carry.
+/// Writes a mesh to a file, whole or not at all (see [`replace_file`](crate::replace_file)), and returns what the
+/// format can't carry.
 ///
 /// # Errors
-/// When the name tells no format, the format has no such encoding, the mesh is too large for it or the system
-/// can't write; an old file is then as it was.
+/// If neither options nor name show a format, the format lacks the encoding, the mesh is too large, or the system
+/// can't write. An old file then stays as it was.
 ///
 /// *Cost*: linear; a small buffer.
 pub fn write(path: &Path, mesh: &PolygonMesh, options: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
@@ -21,7 +22,7 @@ pub fn write(path: &Path, mesh: &PolygonMesh, options: &WriteOptions) -> Result<
     Ok(prepared.losses())
 }
 
-/// Writes a mesh to any sink, and says what the format can't carry. The options must name a format.
+/// Writes a mesh to any sink, and returns what the format can't carry. The options must name a format.
 ///
 /// # Errors
 /// As [`write()`].
@@ -38,7 +39,7 @@ pub fn encode(
     Ok(prepared.losses())
 }
 
-/// What a file would not carry, without writing it. Options that can't be written with lose nothing.
+/// What a file would not carry. It is not written. The list is empty for options with which no file can be written.
 ///
 /// *Cost*: linear in the mesh; sorting for formats without indices.
 pub fn losses(mesh: &PolygonMesh, options: &WriteOptions) -> Vec<Loss> {

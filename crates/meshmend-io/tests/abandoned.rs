@@ -1,5 +1,5 @@
-//! What a process leaves when it is told to end while it writes. Alone in its process, since that is about all files that
-//! a process is writing.
+//! What a process leaves when it is told to end while it writes. Alone in its process, since that is about all files
+//! that a process is writing.
 
 #![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
 

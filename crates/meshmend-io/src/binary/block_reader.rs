@@ -1,16 +1,16 @@
-//! Binary values from block after block of a source, so that no more than a block of it is held in memory.
+//! Binary values, block by block: no more than a block of the source is held in memory.
 
 use std::io::{self, Chain, Read};
 
 use crate::input::source::Source;
 
-/// What is read at a time; it stays within the processor's caches.
+/// How many bytes are read at a time. They fit the caches of the processor.
 const BLOCK: usize = 1 << 18;
 
 /// The bytes from a place of a source to its end.
 pub(crate) struct BlockReader<'a> {
     from: Chain<&'a [u8], &'a mut dyn Read>,
-    /// What has been read; the bytes before `next` are taken.
+    /// The bytes that have been read. Those before `next` have been taken.
     block: Vec<u8>,
     next: usize,
     /// Where in the source the block begins.
@@ -20,7 +20,7 @@ pub(crate) struct BlockReader<'a> {
 }
 
 impl<'a> BlockReader<'a> {
-    /// The bytes of a source from a place on, of which `rest` gives those that the source does not hold.
+    /// The bytes of a source from a place on; those that are not in memory come from `rest`.
     pub(crate) fn new(source: &Source<'a>, at: usize, rest: &'a mut dyn Read) -> Self {
         let from = source.bytes[at..].chain(rest);
         BlockReader { from, block: Vec::new(), next: 0, start: at, length: source.length }
@@ -38,7 +38,7 @@ impl<'a> BlockReader<'a> {
         self.length - self.at()
     }
 
-    /// The next bytes; an error when there are not so many, or the source fails.
+    /// The next bytes, or an error if there are fewer or the source fails.
     #[inline]
     pub(crate) fn take(&mut self, length: usize) -> io::Result<&[u8]> {
         if self.block.len() - self.next < length {
@@ -49,13 +49,13 @@ impl<'a> BlockReader<'a> {
         Ok(bytes)
     }
 
-    /// The next rows of so many bytes each, up to `most`: as many as a block has room for.
+    /// The next rows of so many bytes each: as many as fit a block, and at most `most`.
     pub(crate) fn take_rows(&mut self, stride: usize, most: usize) -> io::Result<&[u8]> {
         let rows = (BLOCK / stride.max(1)).max(1).min(most);
         self.take(rows * stride)
     }
 
-    /// Reads on until so many bytes can be taken.
+    /// Reads until so many bytes can be taken.
     #[cold]
     fn fill(&mut self, length: usize) -> io::Result<()> {
         if length > self.left() {

@@ -13,8 +13,8 @@ pub(crate) type ReadResult = Result<Parsed, ReadError>;
 pub(crate) struct Driver {
     /// Reads a file of which all bytes are in memory.
     pub(crate) read: fn(&Source<'_>, &Limits) -> ReadResult,
-    /// Reads a file of which only the start is in memory; the rest is read as it is needed. Returns `None`, having read
-    /// nothing, if the format needs the whole file.
+    /// Reads a file of which only the start is in memory; the rest is read as it is needed. Returns `None`, having
+    /// read nothing, if the format needs the whole file.
     pub(crate) read_blocks: fn(&Source<'_>, &mut dyn io::Read, &Limits) -> Option<ReadResult>,
     /// Looks for the other files that a file at this path names.
     pub(crate) look_beside: fn(ReadFile, &Path) -> ReadFile,

@@ -16,6 +16,7 @@ pub(crate) struct Facts {
     pub(crate) holds_polygons: bool,
     /// Whether faces name vertices by index, so that several faces can share one.
     pub(crate) has_indices: bool,
-    /// Whether a file that starts with these bytes, and has so many in all, surely is of this format, whatever its name.
+    /// Whether a file that starts with these bytes, and has so many in all, is surely of this format, whatever its
+    /// name.
     pub(crate) sniff: fn(&[u8], u64) -> bool,
 }

@@ -1,10 +1,10 @@
-//! What files are that are not read here, told by how they begin: for messages alone.
+//! How files begin that are not read here. Only messages use this.
 
 use std::ffi::OsStr;
 
 use crate::text::{trimmed_start, without_mark};
 
-/// What some content surely is, though no format that is read here.
+/// What content surely is, if it is of a known format that is not read here.
 pub(crate) fn looks_like(head: &[u8], length: u64) -> Option<&'static str> {
     if length == 0 {
         return Some("an empty file");
@@ -18,7 +18,7 @@ pub(crate) fn looks_like(head: &[u8], length: u64) -> Option<&'static str> {
         .or_else(|| text(head))
 }
 
-/// How files begin that are no text, or text of one spelling.
+/// The first bytes of formats that always begin alike.
 const BINARY: [(&[u8], &str); 31] = [
     (b"glTF", "GLB (binary glTF)"),
     (b"Kaydara FBX Binary", "binary FBX"),
@@ -53,7 +53,7 @@ const BINARY: [(&[u8], &str); 31] = [
     (b"\x7fELF", "a program"),
 ];
 
-/// What a text contains near its start that begins as markup or JSON does, in small letters.
+/// What a text in markup or JSON contains near its start, in lower case.
 const MARKUP: [(&[u8], &str); 10] = [
     (b"<!doctype html", "HTML, a web page, perhaps in place of a download"),
     (b"<html", "HTML, a web page, perhaps in place of a download"),
@@ -116,7 +116,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_beginning_is_told() {
+    fn every_beginning_is_known() {
         for (start, name) in BINARY {
             assert_eq!(looks_like(start, 99), Some(name));
         }
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn what_may_be_anything_is_not_told() {
+    fn what_may_be_anything_has_no_name() {
         for text in [
             &b"v 0 0 0"[..],
             b"solid x",

@@ -39,7 +39,7 @@ impl Format {
         self.facts().name
     }
 
-    /// The file name extensions that stand for it, in lower case and without the dot; the usual one first.
+    /// Its file name extensions, in lower case and without the dot; the usual one first.
     pub fn extensions(self) -> &'static [&'static str] {
         self.facts().extensions
     }
@@ -54,12 +54,13 @@ impl Format {
         (self.facts().variant)(encoding)
     }
 
-    /// Whether faces may have more than three corners; else the writer cuts them, which is a named loss.
+    /// Whether faces may have more than three corners. If not, the writer cuts them, and a loss names that.
     pub fn holds_polygons(self) -> bool {
         self.facts().holds_polygons
     }
 
-    /// Whether faces name vertices by index; else each face has vertices of its own, and only their places tell them apart.
+    /// Whether faces name vertices by index; else each face has vertices of its own, and only their places tell them
+    /// apart.
     pub fn has_indices(self) -> bool {
         self.facts().has_indices
     }
@@ -76,17 +77,17 @@ impl Format {
         path.extension().and_then(|extension| extension.to_str()).and_then(Format::from_extension)
     }
 
-    /// The format that content surely has, whatever the file is called.
+    /// The format of content that is unmistakable, whatever the name of the file is.
     pub fn from_content(bytes: &[u8]) -> Option<Format> {
         Format::from_head(bytes, bytes.len() as u64)
     }
 
-    /// The format that content surely has that starts so, and has so many bytes in all.
+    /// The format of unmistakable content that starts with these bytes and has so many in all.
     pub(crate) fn from_head(head: &[u8], length: u64) -> Option<Format> {
         Format::ALL.iter().copied().find(|format| format.is_surely(head, length))
     }
 
-    /// Whether content that starts so, and has so many bytes in all, surely is of this format.
+    /// Whether content that starts with these bytes, and has so many in all, is surely of this format.
     pub(crate) fn is_surely(self, head: &[u8], length: u64) -> bool {
         (self.facts().sniff)(head, length)
     }

@@ -1,7 +1,7 @@
 //! The formats: a folder each, and a row each in the registry (`rows.rs`).
 //!
-//! A folder has two things that others ask for: `facts::FACTS`, what is known of the format, and `DRIVER`, what reads and
-//! writes it. [`Format`](crate::Format) is made of the facts alone, and only [`drivers`] knows the drivers.
+//! A folder has two things that others ask for: `facts::FACTS`, what is known of the format, and `DRIVER`, what reads
+//! and writes it. [`Format`](crate::Format) is made of the facts alone, and only [`drivers`] knows the drivers.
 
 #[macro_use]
 mod rows;

@@ -1,7 +1,7 @@
 //! The registry: one row a format.
 
-/// Hands the rows to another macro. From a row follow the enum's variant, the folder's module, and the format's place in
-/// sniffing, help texts, messages and tests.
+/// Hands the rows to another macro. From a row follow the enum's variant, the folder's module, and the format's place
+/// in sniffing, help texts, messages and tests.
 macro_rules! with_formats {
     ($make:ident) => {
         $make! {

@@ -1,4 +1,4 @@
-//! What all readers do last: check every index once, and put the parts together.
+//! The last step of all readers: every index is checked once, and the parts become a mesh.
 
 use meshmend_core::{FaceTableBuilder, Layer, MeshError, Metadata, PolygonMesh, Role, VertexId, counted};
 
@@ -37,14 +37,14 @@ impl Parts {
         }
     }
 
-    /// Takes faces that were parsed elsewhere and come after all that are here, with the highest index in them.
+    /// Appends faces that were parsed elsewhere, with the highest index in them.
     pub(crate) fn take_faces(&mut self, faces: &FaceTableBuilder, max_index: MaxIndex) {
         self.faces.append(faces);
         self.max_index.see_all(max_index);
     }
 
-    /// The mesh, or an error at the highest index if there is no such vertex. `first` is the number of the first
-    /// vertex as the format counts.
+    /// The mesh, or an error at the highest index if no vertex has it. `first` is the number that the format gives
+    /// the first vertex.
     pub(crate) fn assemble(
         mut self,
         source: &Source<'_>,
@@ -62,7 +62,7 @@ impl Parts {
         if count == 0 {
             self.notes.add(NoteKind::Empty, "the file holds no vertex", || Place::File);
         }
-        // Readers keep to limits within which all of this fits a mesh.
+        // The limits of readers are those of a mesh, so all of this fits.
         let faces = self.faces.build(count).map_err(|e| source.malformed(Place::File, e.to_string()))?;
         let failed = |error: MeshError| source.malformed(Place::File, error.to_string());
         let mesh = PolygonMesh::new(self.positions, faces).map_err(failed)?;
@@ -73,7 +73,7 @@ impl Parts {
     }
 }
 
-/// A layer with the role that its name and width have in every format that is read.
+/// A layer with the role that its name and width stand for in every format.
 fn with_usual_role(layer: Layer) -> Layer {
     let role = match (layer.name(), layer.width()) {
         _ if !is_numeric(&layer) || layer.role() != Role::Plain => layer.role(),
@@ -85,7 +85,7 @@ fn with_usual_role(layer: Layer) -> Layer {
     layer.with_role(role)
 }
 
-/// The reason when a file names a vertex that it does not hold.
+/// The reason when a file names a vertex that does not exist.
 pub(crate) fn no_such_vertex(number: i64, count: usize) -> String {
     format!("vertex {number} does not exist: the file has {}", counted(count, "vertex"))
 }

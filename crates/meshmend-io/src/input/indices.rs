@@ -1,7 +1,7 @@
 //! Indices that a reader meets before it knows how many elements there are.
 
-/// The highest index that was read, and the first place where. Faces may come before the vertices that they
-/// name, so an index can be checked only when all is read; then the highest speaks for all.
+/// The highest index that was read, and the first place where it stands. Faces may come before the vertices that they
+/// name, so indices can be checked only at the end of the file. It is enough to check the highest.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct MaxIndex {
     found: Option<(u32, usize)>,
@@ -15,20 +15,20 @@ impl MaxIndex {
         }
     }
 
-    /// Sees what another one has seen at later places.
+    /// Takes in what was seen at later places.
     pub(crate) fn see_all(&mut self, later: MaxIndex) {
         if let Some((index, at)) = later.found {
             self.see(index, at);
         }
     }
 
-    /// The highest index and its place, if it is not below the count.
+    /// The highest index and its place, if the index is not below the count.
     pub(crate) fn beyond(self, count: usize) -> Option<(u32, usize)> {
         self.found.filter(|&(index, _)| index as usize >= count)
     }
 }
 
-/// A corner attribute that is named by index: which value each corner uses, none until one is named.
+/// Which value of an attribute each corner uses. A corner has none until a file names one.
 #[derive(Default)]
 pub(crate) struct Uses {
     uses: Vec<u32>,
@@ -36,7 +36,7 @@ pub(crate) struct Uses {
 }
 
 impl Uses {
-    /// Lets an element use a value; elements before it that were given none have none.
+    /// Lets an element use a value. Elements before it that were not set have none.
     #[inline]
     pub(crate) fn set(&mut self, element: usize, value: u32, at: usize) {
         self.uses.resize(element, meshmend_core::NO_VALUE);
@@ -44,14 +44,14 @@ impl Uses {
         self.max_index.see(value, at);
     }
 
-    /// Lets the element after all that have a value use one.
+    /// Lets the next element use a value.
     #[inline]
     pub(crate) fn push(&mut self, value: u32, at: usize) {
         self.uses.push(value);
         self.max_index.see(value, at);
     }
 
-    /// Lets as many elements from this one on use what those of another list use, which come later in the file.
+    /// Appends the uses of a later part of the file, whose first element is this one.
     pub(crate) fn append(&mut self, element: usize, later: &Uses) {
         if !later.is_empty() {
             self.uses.resize(element, meshmend_core::NO_VALUE);
@@ -64,17 +64,17 @@ impl Uses {
         self.uses.is_empty()
     }
 
-    /// How many elements there are up to the last one that was given a value.
+    /// How many elements there are up to the last one that has a value.
     pub(crate) fn len(&self) -> usize {
         self.uses.len()
     }
 
-    /// Forgets all uses, and keeps the memory for others.
+    /// Forgets all uses, but keeps their memory.
     pub(crate) fn clear(&mut self) {
         self.return_to((0, MaxIndex::default()));
     }
 
-    /// What to return to when what follows is to be forgotten.
+    /// A state to which [`return_to`](Uses::return_to) goes back.
     #[inline]
     pub(crate) fn mark(&self) -> (usize, MaxIndex) {
         (self.uses.len(), self.max_index)
@@ -87,8 +87,8 @@ impl Uses {
         self.max_index = max_index;
     }
 
-    /// The uses of all elements; values that don't exist are counted, with the place of the highest, and taken
-    /// away.
+    /// The uses of all elements. Uses of values that don't exist are removed; they are counted, with the place of the
+    /// highest.
     pub(crate) fn checked(mut self, elements: usize, values: usize) -> (Vec<u32>, Option<(u64, usize)>) {
         self.uses.resize(elements, meshmend_core::NO_VALUE);
         let Some((_, at)) = self.max_index.beyond(values) else {

@@ -1,10 +1,10 @@
-//! Collecting what a reader has to say.
+//! Collecting the remarks of a reader.
 
 use std::collections::BTreeMap;
 
 use crate::{Note, NoteKind, Place};
 
-/// How many different messages of one kind are kept; further ones are counted together.
+/// How many different messages of one kind are kept. The others are counted together.
 const MOST_MESSAGES: usize = 16;
 
 /// Collects notes; equal ones are counted.
@@ -19,7 +19,7 @@ impl Notes {
         self.add_many(kind, message, 1, place);
     }
 
-    /// Adds a remark that applies `count` times; nothing when that is 0.
+    /// Adds a remark that applies `count` times, unless that is 0.
     pub(crate) fn add_many(
         &mut self,
         kind: NoteKind,

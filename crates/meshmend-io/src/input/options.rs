@@ -6,14 +6,14 @@ use crate::{Format, Limits};
 #[derive(Clone, Copy, Debug, Default)]
 #[non_exhaustive]
 pub struct ReadOptions {
-    /// What a file may hold at most.
+    /// The most that a file may hold.
     pub limits: Limits,
-    /// The format, whatever name and content say.
+    /// The format, whatever name and content say; by default they decide.
     pub format: Option<Format>,
 }
 
 impl ReadOptions {
-    /// These options with a format, whatever name and content say; with `None` they say again.
+    /// These options with a format, whatever name and content say. With `None` they decide.
     pub fn with_format(self, format: impl Into<Option<Format>>) -> Self {
         ReadOptions { format: format.into(), ..self }
     }

@@ -10,11 +10,11 @@ use crate::{Format, Note, Shell};
 pub struct ReadFile {
     /// The mesh.
     pub mesh: PolygonMesh,
-    /// The format that the file has.
+    /// The format of the file.
     pub format: Format,
-    /// Which form of it: `obj`, `off`, `ply-ascii`, `ply-le`, `ply-be`, `stl-ascii` or `stl-binary`.
+    /// The format together with the encoding, such as `ply-le` (see [`Format::variant`]).
     pub variant: &'static str,
-    /// What in the file is not in the mesh, or not as the file has it; sorted by kind.
+    /// What of the file the mesh lacks, or holds in another way; sorted by kind.
     pub notes: Vec<Note>,
     /// How the file was written, for a writer of the same format.
     pub shell: Shell,

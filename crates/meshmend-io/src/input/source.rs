@@ -1,4 +1,4 @@
-//! What a format's reader gets and gives.
+//! What a format's reader takes and returns.
 
 use std::io;
 
@@ -8,14 +8,14 @@ use crate::input::notes::Notes;
 use crate::text::speculative_parse::Pace;
 use crate::{Place, ReadError, ReadErrorKind, Shell};
 
-/// The bytes of a file with its name for errors.
+/// The bytes of a file, and its name for errors.
 pub(crate) struct Source<'a> {
-    /// All of them, or those at the start where a reader takes the others block by block.
+    /// All bytes, or those at the start if the reader takes the others block by block.
     pub(crate) bytes: &'a [u8],
-    /// How many there are in all.
+    /// How many bytes the file has.
     pub(crate) length: usize,
     pub(crate) name: &'a str,
-    /// How far ahead of a reader text is parsed.
+    /// How far ahead of its reader a text is parsed.
     pub(crate) pace: Pace,
 }
 
@@ -24,7 +24,7 @@ impl Source<'_> {
         ReadError { file: self.name.to_owned(), place, kind: ReadErrorKind::Malformed(reason.into()) }
     }
 
-    /// An error unless `found` is within the limit.
+    /// An error if `found` is more than the limit.
     #[inline]
     pub(crate) fn limited(&self, what: &'static str, found: u64, limit: u64) -> Result<(), ReadError> {
         if found <= limit { Ok(()) } else { Err(self.exceeded(what, found, limit)) }
@@ -36,7 +36,7 @@ impl Source<'_> {
         ReadError { file: self.name.to_owned(), place: Place::File, kind }
     }
 
-    /// Why bytes that must be there can't be given.
+    /// The error of a system that can't give bytes.
     #[cold]
     pub(crate) fn failed(&self, error: io::Error) -> ReadError {
         ReadError { file: self.name.to_owned(), place: Place::File, kind: ReadErrorKind::Io(error) }

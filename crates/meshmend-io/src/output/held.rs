@@ -1,4 +1,4 @@
-//! Which attribute layers a written file would hold: asked of the writers, with a triangle that has such a layer.
+//! Which attribute layers a written file would hold. The writers answer that, for a triangle with such layers.
 
 use std::collections::BTreeSet;
 
@@ -6,8 +6,8 @@ use meshmend_core::{Domain, FaceTable, Layer, PolygonMesh, Values, VertexId};
 
 use crate::{LostLayer, WriteOptions, losses};
 
-/// For each layer of a mesh whether a file that is written so would have it beside the others, by its name, elements and type;
-/// whether its values are rounded is another question. Options that name no format hold all.
+/// For each layer of a mesh, whether a file written with these options would have it beside the others. Name,
+/// elements and type decide; rounding of values does not matter. Options without a format hold all layers.
 ///
 /// *Cost*: that of writing a triangle with all layers.
 pub fn held_layers(mesh: &PolygonMesh, options: &WriteOptions) -> Vec<bool> {
@@ -28,7 +28,7 @@ fn lost_layers(layers: Vec<Layer>, options: &WriteOptions) -> BTreeSet<LostLayer
     losses.into_iter().filter_map(|loss| loss.layer).collect()
 }
 
-/// A layer of a triangle like another one, on the elements on which that was stored.
+/// A layer of a triangle that is like another layer, on the elements where that was stored.
 fn sample(layer: &Layer) -> Layer {
     let count = match layer.home() {
         Domain::Vertex | Domain::Corner => 3,
@@ -40,7 +40,7 @@ fn sample(layer: &Layer) -> Layer {
     Layer::indexed(layer.name(), layer.home(), layer.width(), layer.carry(), values, vec![0; count])
 }
 
-/// So many values of the type of some others. They are not 0, which may stand for none.
+/// Some values of the type of others. They are not 0, which may stand for no value.
 fn one(values: &Values, width: usize) -> Values {
     match values {
         Values::I8(_) => Values::I8(vec![1; width]),

@@ -9,7 +9,7 @@ pub(crate) fn absent(layer: &Layer) -> usize {
     (0..layer.element_count()).filter(|&element| layer.value_of(element).is_none()).count()
 }
 
-/// The loss of so many values that elements don't have, as a format gives each element one.
+/// The loss when a format gives a value to elements that had none.
 pub(crate) fn absent_loss(layer: &Layer, count: usize) -> Option<Loss> {
     Loss::if_any(LossKind::AbsentValue, count, |count| {
         let (domain, name) = (layer.domain().name(), layer.name());
@@ -18,13 +18,13 @@ pub(crate) fn absent_loss(layer: &Layer, count: usize) -> Option<Loss> {
     })
 }
 
-/// A loss for each layer of vertices, corners and faces that is not among those which are written.
+/// A loss for each layer of vertices, corners and faces that is not written.
 pub(crate) fn layer_losses(mesh: &PolygonMesh, written: &[&Layer]) -> Vec<Loss> {
     losses_in(mesh, written, &[Domain::Vertex, Domain::Corner, Domain::Face])
 }
 
-/// A loss for each layer of some kinds of element that is not among those which are written. Layers of loose elements are
-/// named where the format keeps these; else they go with them.
+/// A loss for each layer of some kinds of element that is not written. Layers of loose elements have a loss only if
+/// the format keeps loose elements; else the loss of the elements names them all.
 pub(crate) fn losses_in(mesh: &PolygonMesh, written: &[&Layer], domains: &[Domain]) -> Vec<Loss> {
     let mut addresses: Vec<*const Layer> = written.iter().map(|&layer| std::ptr::from_ref(layer)).collect();
     addresses.sort_unstable();
@@ -42,10 +42,10 @@ fn layer_loss(layer: &Layer, count: usize) -> Option<Loss> {
     of_elements.or_else(|| unused_layer_loss(layer)).map(|loss| loss.of_layer(layer))
 }
 
-/// The loss of a pool of values none of which any element uses, in a format that stores values with elements.
+/// The loss of values that no element uses, in a format that stores values with elements.
 fn unused_layer_loss(layer: &Layer) -> Option<Loss> {
     let (domain, name) = (layer.domain().name(), layer.name());
-    // Loose elements that are gone were named when they went.
+    // The loss of loose elements names these.
     let is_of_loose = matches!(layer.domain(), Domain::LooseEdge | Domain::LoosePoint);
     let is_unused = !is_of_loose && absent(layer) == layer.element_count();
     let values = if is_unused { layer.value_count() } else { 0 };

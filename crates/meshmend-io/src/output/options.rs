@@ -9,45 +9,45 @@ use crate::{Encoding, Format, ReadFile, Shell, WriteErrorKind};
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct WriteOptions {
-    /// The format; by default that of the file's name.
+    /// The format; by default that of the file name.
     pub format: Option<Format>,
-    /// How to spell numbers; by default as the file that the mesh comes from, if that has the same format, else as the
-    /// format does by default.
+    /// How to spell numbers; by default as in the file that the mesh comes from, if it has the same format; else in
+    /// the default encoding of the format.
     pub encoding: Option<Encoding>,
-    /// How the file that the mesh comes from was written; a file of the same format is written likewise.
+    /// How the file that the mesh comes from was written. A file of the same format is written likewise.
     pub shell: Shell,
-    /// How a vertex is written whose attributes differ from corner to corner.
+    /// What becomes of a vertex whose attributes differ from corner to corner.
     pub seams: Seams,
-    /// In which precision attributes from another format are written.
+    /// The precision of attributes that come from another format.
     pub precision: AttributePrecision,
-    /// The folder that the file will be in, where that is known: files that the input names may not be there.
+    /// The folder of the output, if it is known: files that the input names may be missing there.
     pub folder: Option<PathBuf>,
 }
 
-/// How a vertex is written whose attributes differ from corner to corner, where programs that read the format look for
-/// them at the vertices.
+/// What becomes of a vertex whose attributes differ from corner to corner, in a format whose programs look for
+/// attributes at the vertices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Seams {
-    /// As several vertices at one place, each with its own values.
+    /// It is written as several vertices at one place, each with its own values.
     #[default]
     Split,
-    /// As one vertex; the values are written for each corner where the format has a way to do so, though other programs
-    /// may not look there, and are lost where it has none.
+    /// It is written once. The values are written at the corners if the format can do that, though other programs may
+    /// not look there; else they are lost.
     Corners,
-    /// Not at all: the mesh is not written.
+    /// The mesh is not written.
     Fail,
 }
 
-/// In which precision attributes from another format are written to one whose programs expect single precision.
+/// The precision of attributes that come from another format, in a format whose programs expect single precision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AttributePrecision {
-    /// As those programs expect: texture coordinates and normals in single precision, colours as bytes where that is what
-    /// they come from; what is rounded is a named loss.
+    /// As those programs expect: texture coordinates and normals in single precision, colours as bytes if they come
+    /// from bytes. A loss names what is rounded.
     #[default]
     AsExpected,
-    /// As they are.
+    /// Double precision, as in the mesh.
     Double,
 }
 
@@ -62,7 +62,7 @@ impl WriteOptions {
         WriteOptions { encoding: Some(encoding), ..self }
     }
 
-    /// These options with another way to write vertices whose attributes differ from corner to corner.
+    /// These options with another choice for vertices whose attributes differ from corner to corner.
     pub fn with_seams(self, seams: Seams) -> Self {
         WriteOptions { seams, ..self }
     }
@@ -77,21 +77,21 @@ impl WriteOptions {
         WriteOptions { shell, ..self }
     }
 
-    /// These options, but what they leave open is done as in a file that was read, if its format is the same.
+    /// These options; what they leave open is done as in a file that was read, if it has the same format.
     pub fn as_read(self, file: &ReadFile) -> Self {
         WriteOptions { shell: file.shell.clone(), ..self }
     }
 
-    /// These options with the format of a file name, where they name none, and its folder.
+    /// These options with the folder of a file, and with the format of its name if they name none.
     pub fn for_path(self, path: &Path) -> Self {
         let format = self.format.or_else(|| Format::from_path(path));
         WriteOptions { format, folder: Some(folder_of(path).to_owned()), ..self }
     }
 
-    /// The format and the encoding that come of these options.
+    /// The format and the encoding that follow from these options.
     ///
     /// # Errors
-    /// When they name no format, or an encoding that the format does not have.
+    /// If they name no format, or an encoding that the format lacks.
     pub fn resolved(&self) -> Result<(Format, Encoding), WriteErrorKind> {
         let format = self.format.ok_or(WriteErrorKind::UnknownFormat)?;
         let as_read = self.shell.encoding().filter(|_| self.shell.format() == Some(format));

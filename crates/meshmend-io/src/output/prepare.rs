@@ -1,4 +1,4 @@
-//! What happens to a mesh before and while it is written: each step once, whose losses are named once.
+//! What happens to a mesh before and while it is written. Each step runs once, so its losses are named once.
 
 use std::io;
 use std::path::Path;
@@ -12,8 +12,7 @@ impl Prepared {
     /// Makes a mesh ready. The options must name a format.
     ///
     /// # Errors
-    /// When the options name no format, or an encoding that the format does not have, or say that a mesh with seams is not
-    /// to be written.
+    /// If the options name no format, name an encoding that the format lacks, or forbid to write a mesh with seams.
     ///
     /// *Cost*: O(1), unless the format needs the mesh to be changed.
     pub fn new(mesh: &PolygonMesh, options: &WriteOptions) -> Result<Self, WriteErrorKind> {
@@ -42,10 +41,10 @@ impl Prepared {
         losses
     }
 
-    /// Writes it to a file, all or nothing (see [`replace_file`]).
+    /// Writes it to a file, whole or not at all (see [`replace_file`]).
     ///
     /// # Errors
-    /// When the mesh is too large for the format or the system can't write; an old file is then as it was.
+    /// If the mesh is too large for the format or the system can't write. An old file then stays as it was.
     ///
     /// *Cost*: linear; a small buffer.
     pub fn write(&self, path: &Path) -> Result<(), WriteError> {
@@ -56,7 +55,7 @@ impl Prepared {
     /// Writes it to any sink.
     ///
     /// # Errors
-    /// When the mesh is too large for the format or the sink fails.
+    /// If the mesh is too large for the format or the sink fails.
     ///
     /// *Cost*: linear; a small buffer.
     pub fn encode(&self, out: &mut dyn io::Write) -> Result<(), WriteError> {

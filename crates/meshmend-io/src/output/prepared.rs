@@ -19,40 +19,40 @@ use crate::{Encoding, Format, Loss, WriteOptions};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Prepared {
-    /// The mesh as it will be read again, apart from what the format can't carry.
+    /// The mesh as it will be read again, but for what the format can't carry.
     pub(crate) mesh: PolygonMesh,
     pub(crate) format: Format,
     pub(crate) encoding: Encoding,
     pub(crate) options: WriteOptions,
-    /// What the steps before writing lost.
+    /// What was lost before writing.
     pub(crate) losses: Vec<Loss>,
-    /// Where its elements were as given, where vertices are written more than once or faces are cut.
+    /// Where its elements were in the given mesh, if vertices are written more than once or faces are cut.
     pub(crate) record: Option<Provenance>,
-    /// The layers that were brought from the corners to the vertices, by their places.
+    /// The places of the layers that were moved from the corners to the vertices.
     pub(crate) at_vertices: Vec<usize>,
 }
 
 impl Prepared {
-    /// In which format it will be written.
+    /// The format in which it will be written.
     pub fn format(&self) -> Format {
         self.format
     }
 
-    /// How its numbers will be spelled.
+    /// The encoding in which it will be written.
     pub fn encoding(&self) -> Encoding {
         self.encoding
     }
 
-    /// The mesh as it will be written: where the format made it necessary, not the one that was given.
+    /// The mesh as it will be written. It differs from the given one if the format requires that.
     pub fn mesh(&self) -> &PolygonMesh {
         &self.mesh
     }
 
-    /// The mesh that was given with the vertices and faces that it will be read with, and where those were; nothing if
-    /// they are written as they are. Its layers are as they were given, but for their home.
+    /// The given mesh with the vertices and faces of the file, and a record of where those were. Returns `None` if
+    /// they are written as they are. The layers are those of the given mesh, at the elements where the file has them.
     ///
     /// # Errors
-    /// When it is not the mesh that was made ready.
+    /// If it is not the mesh that was made ready.
     ///
     /// *Cost*: linear in the mesh and its layers.
     pub fn as_written(&self, given: &PolygonMesh) -> Result<Option<(PolygonMesh, Provenance)>, DraftError> {
@@ -71,8 +71,7 @@ impl Prepared {
         given.rebuilt_with_vertex_layers(&moved, draft).map(Some)
     }
 
-    /// What the file that the mesh comes from lets a writer of its format choose, if it has the format whose choices are of
-    /// this type.
+    /// The choices of the file that the mesh comes from, if it has the format of this type.
     pub(crate) fn shape<T: Shape>(&self) -> Option<&T> {
         self.options.shell.shape()
     }

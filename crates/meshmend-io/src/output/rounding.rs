@@ -1,10 +1,10 @@
-//! What single precision does to a mesh, as losses.
+//! The losses of rounding to single precision.
 
 use meshmend_geometry::rounding::Rounding;
 
 use crate::{Loss, LossKind};
 
-/// What is lost where a mesh of so many vertices is rounded to single precision.
+/// The losses when a mesh of so many vertices is rounded to single precision.
 pub fn rounding_losses(rounding: Rounding, vertices: usize) -> Vec<Loss> {
     let Rounding { moved, joined, emptied } = rounding;
     let losses = [

@@ -1,12 +1,13 @@
-//! Seams for formats whose programs look for attributes at the vertices: a vertex whose corners differ becomes several.
+//! Seams in formats whose programs look for attributes at the vertices: a vertex whose corners differ becomes
+//! several.
 
 use meshmend_core::{Domain, Layer, Provenance};
 
 use crate::{Loss, LossKind, Prepared, Seams, WriteErrorKind};
 
 impl Prepared {
-    /// Brings layers that a format holds for vertices back to the vertices, as the options say: those that are at home there,
-    /// of which `is_wanted` says that the format holds them.
+    /// Moves layers back to the vertices, as the options say: those that are at home there and that the format holds
+    /// at vertices.
     ///
     /// *Cost*: O(1) where no such layer is at the corners.
     pub(crate) fn split_seams(&mut self, is_wanted: impl Fn(&Layer) -> bool) -> Result<(), WriteErrorKind> {
@@ -16,7 +17,7 @@ impl Prepared {
         self.bring_to_vertices(&layers)
     }
 
-    /// Brings layers of corners to the vertices, wherever they are at home: those at these places among the layers.
+    /// Moves the layers at these places from the corners to the vertices, wherever they are at home.
     pub(crate) fn bring_to_vertices(&mut self, layers: &[usize]) -> Result<(), WriteErrorKind> {
         if self.options.seams == Seams::Corners {
             return Ok(());
@@ -40,7 +41,7 @@ impl Prepared {
     }
 }
 
-/// How many vertices became several, and how many those are.
+/// How many vertices became several, and how many those are now.
 struct Parts {
     vertices: usize,
     written: usize,

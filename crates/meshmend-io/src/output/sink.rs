@@ -1,4 +1,4 @@
-//! What writers write to: a buffer in front of the real sink, and numbers as text.
+//! What writers write to: a buffer before the real sink, and numbers as text.
 
 use std::io::{self, Write};
 
@@ -44,7 +44,7 @@ impl<'a> Sink<'a> {
         push_integer(&mut self.buffer, value);
     }
 
-    /// Passes a piece on if there is one; to be called after each line or row.
+    /// Passes on what is collected if it is large. Writers call this after each line or row.
     #[inline]
     pub(crate) fn checkpoint(&mut self) -> io::Result<()> {
         if self.buffer.len() >= PIECE { self.pass_on() } else { Ok(()) }

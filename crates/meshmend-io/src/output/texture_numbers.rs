@@ -1,7 +1,7 @@
 //! Textures by number, as MeshLab writes them to PLY, and materials by name, as OBJ has them.
 //!
-//! A face's `texnumber` n is the material `texture_n`. Which picture that is, MeshLab says in comments `TextureFile NAME`,
-//! which stay comments; no material library is written.
+//! The `texnumber` n of a face is the material `texture_n`. MeshLab names the pictures in comments, `TextureFile
+//! NAME`. They stay comments; no material library is written.
 
 use meshmend_core::{Carry, Domain, DraftError, Layer, NO_VALUE, Values, counted};
 
@@ -13,7 +13,7 @@ const MATERIAL: &str = "material";
 const NAME: &[u8] = b"texture_";
 
 impl Prepared {
-    /// Gives faces the materials that their texture numbers stand for, if they have no materials.
+    /// Replaces the texture numbers of faces by materials, if the faces have no materials.
     ///
     /// *Cost*: linear in the faces, if they have texture numbers.
     pub(crate) fn name_textures(&mut self) -> Result<(), WriteErrorKind> {
@@ -29,7 +29,7 @@ impl Prepared {
         Ok(())
     }
 
-    /// Gives faces the texture numbers that their materials stand for, if each of these is one.
+    /// Replaces the materials of faces by texture numbers, if every material stands for one.
     ///
     /// *Cost*: linear in the names, and in the faces if all are texture numbers.
     pub(crate) fn number_textures(&mut self) -> Result<(), WriteErrorKind> {
@@ -41,7 +41,7 @@ impl Prepared {
         }
     }
 
-    /// Puts a layer in the place of the first one of faces of a name that is fit.
+    /// Replaces the first layer of faces with a name that meets a condition.
     fn replace_layer(
         &mut self,
         name: &str,
@@ -89,7 +89,7 @@ fn names_of(numbers: &Layer) -> Layer {
     Layer::indexed(MATERIAL, Domain::Face, 1, Carry::Copy, values, uses)
 }
 
-/// The texture numbers of materials; −1 where a face has none. Nothing if a name is no texture number.
+/// The texture numbers of materials; −1 where a face has none. Returns `None` if a name does not stand for a number.
 fn numbers_of(materials: &Layer) -> Option<Layer> {
     let Values::Text(names) = materials.values() else { return None };
     let number_of = |name: &Vec<u8>| {

@@ -18,19 +18,19 @@ pub(crate) fn is_space(byte: u8) -> bool {
     is_blank(byte) || is_line_end(byte)
 }
 
-/// Where a text begins: after the byte order mark, if there is one.
+/// Where a text begins: after its byte order mark, if it has one.
 pub(crate) fn text_start(bytes: &[u8]) -> usize {
     bytes.len() - without_mark(bytes).len()
 }
 
-/// The bytes after the byte order mark, if there is one.
+/// The bytes without a byte order mark.
 pub(crate) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
 /// The line of a byte, counted from 1. Lines end with LF, CR LF or CR.
 ///
-/// *Cost*: one pass over the bytes before it; only for messages.
+/// *Cost*: one pass over the bytes before it. It is meant for messages.
 pub(crate) fn line_number(bytes: &[u8], at: usize) -> u64 {
     let before = &bytes[..at.min(bytes.len())];
     let ends = before.iter().enumerate().filter(|&(i, &byte)| match byte {
@@ -41,12 +41,12 @@ pub(crate) fn line_number(bytes: &[u8], at: usize) -> u64 {
     ends.count() as u64 + 1
 }
 
-/// The place of the next line end at or after a byte, or the end.
+/// The place of the first line end at or after a byte, or the end of the text.
 pub(crate) fn line_end(bytes: &[u8], at: usize) -> usize {
     bytes[at..].iter().position(|&byte| is_line_end(byte)).map_or(bytes.len(), |length| at + length)
 }
 
-/// The place of the line after the one whose end is here.
+/// Where the next line begins, if a line ends here.
 pub(crate) fn after_line_end(bytes: &[u8], end: usize) -> usize {
     match (bytes.get(end), bytes.get(end + 1)) {
         (Some(b'\r'), Some(b'\n')) => end + 2,
@@ -68,7 +68,7 @@ pub(crate) fn trimmed_start(bytes: &[u8]) -> &[u8] {
     &bytes[start..]
 }
 
-/// What a comment says: without the blank that parts it from its sign, and without blanks at its end.
+/// The text of a comment, without one blank at its start and all blanks at its end.
 pub(crate) fn comment_text(bytes: &[u8]) -> &[u8] {
     let end = bytes.iter().rposition(|&b| !is_space(b)).map_or(0, |last| last + 1);
     match bytes[..end].split_first() {
@@ -77,7 +77,7 @@ pub(crate) fn comment_text(bytes: &[u8]) -> &[u8] {
     }
 }
 
-/// The place of the next byte that is neither blank nor line end, or an end before it.
+/// The place of the next byte that is neither a blank nor a line end; at most the end.
 #[inline]
 pub(crate) fn skip_space(bytes: &[u8], mut at: usize, end: usize) -> usize {
     while at < end && bytes.get(at).is_some_and(|&b| is_space(b)) {
@@ -86,7 +86,7 @@ pub(crate) fn skip_space(bytes: &[u8], mut at: usize, end: usize) -> usize {
     at
 }
 
-/// The next run of bytes that are neither blanks nor line ends, and where it ends.
+/// The run of bytes from here on that are neither blanks nor line ends.
 pub(crate) fn word(bytes: &[u8], at: usize) -> &[u8] {
     let length = bytes[at..].iter().position(|&b| is_space(b)).unwrap_or(bytes.len() - at);
     &bytes[at..at + length]

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-/// A number with what is said of one, or of several: `1 value is`, `2 values are`. What is counted alone is
+/// A number with the words for one or for several: `1 value is`, `2 values are`. For a noun alone there is
 /// [`counted`](meshmend_core::counted).
 pub(crate) fn one_or_many(count: impl Display, one: &str, many: &str) -> String {
     let count = count.to_string();
@@ -10,7 +10,7 @@ pub(crate) fn one_or_many(count: impl Display, one: &str, many: &str) -> String 
     format!("{count} {words}")
 }
 
-/// Bytes as people may read them: short, and printable.
+/// Bytes as printable text, cut to a few words.
 pub(crate) fn shown(bytes: &[u8]) -> String {
     const LONGEST: usize = 40;
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(LONGEST)]);

@@ -4,9 +4,9 @@ use fast_float2::FastFloat;
 
 use super::lines::word;
 
-/// The types of numbers with a fraction.
+/// The floating-point types.
 pub(crate) trait Real: FastFloat + From<f32> {
-    /// The number nearest to what the text says, of which this is the nearest double, if that tells.
+    /// The number nearest to a text, given the double nearest to it. `None` if the double does not decide.
     fn nearest(double: f64) -> Option<Self>;
 }
 
@@ -18,8 +18,8 @@ impl Real for f64 {
 }
 
 impl Real for f32 {
-    /// A double does not tell when it is halfway between two single numbers: what the text says may be on either side.
-    /// Most texts of single numbers have too many digits to be read as such fast, and few enough for a double.
+    /// A double halfway between two single numbers does not decide: the text may lie on either side. Texts of single
+    /// numbers often have too many digits for the fast path of their type, but few enough for that of doubles.
     #[inline]
     fn nearest(double: f64) -> Option<f32> {
         const SURPLUS_BITS: u64 = (1 << 29) - 1;
@@ -29,20 +29,20 @@ impl Real for f32 {
     }
 }
 
-/// A number with a fraction at the start of some bytes, and how long it is. What ends it is for the caller to
-/// check; spellings of NaN and infinity of several run-time libraries are known.
+/// The floating-point number at the start of some bytes, and its length. The caller checks what ends it. The
+/// spellings of NaN and infinity by several run-time libraries are understood.
 #[inline]
 pub(crate) fn real<T: Real>(bytes: &[u8]) -> Option<(T, usize)> {
     match fast_float2::parse_partial::<f64, _>(bytes) {
         Ok((double, length)) if bytes.get(length).is_none_or(|&next| !matches!(next, b'#' | b'(' | b'.')) => {
-            T::nearest(double).map(|value| (value, length)).or_else(|| plain_real(bytes))
+            T::nearest(double).map(|value| (value, length)).or_else(|| exact_real(bytes))
         }
         _ => odd_real(bytes),
     }
 }
 
 #[cold]
-fn plain_real<T: Real>(bytes: &[u8]) -> Option<(T, usize)> {
+fn exact_real<T: Real>(bytes: &[u8]) -> Option<(T, usize)> {
     fast_float2::parse_partial::<T, _>(bytes).ok()
 }
 
@@ -68,7 +68,7 @@ fn odd_real<T: Real>(bytes: &[u8]) -> Option<(T, usize)> {
     Some((T::from(sign * value), word.len()))
 }
 
-/// A run of digits at the start of some bytes, and how long it is; saturates at the largest number.
+/// The digits at the start of some bytes as a number, and their count. The number saturates.
 #[inline]
 pub(crate) fn digits(bytes: &[u8]) -> Option<(u64, usize)> {
     let (mut value, mut length) = (0_u64, 0);
@@ -80,7 +80,7 @@ pub(crate) fn digits(bytes: &[u8]) -> Option<(u64, usize)> {
     (length > 0).then_some((value, length))
 }
 
-/// A whole number with or without a sign at the start of some bytes, and how long it is; saturates.
+/// The whole number at the start of some bytes, with or without a sign, and its length. The number saturates.
 #[inline]
 pub(crate) fn integer(bytes: &[u8]) -> Option<(i64, usize)> {
     let saturated = |value: u64| i64::try_from(value).unwrap_or(i64::MAX);

@@ -1,19 +1,20 @@
-//! Reading ahead: what is plain in a text is parsed before its reader comes to it, on as many threads as there are.
+//! Speculative parsing: the usual rows of a text are parsed on all threads before its sequential reader arrives.
 //!
 //! ```text
 //! text     |v v v v v v # c v v|v v v g x f f f|f f -2 f f f f|          chunks, each to the end of a row
 //! pieces   [v v v v v]     [v v|v v v]   [f f f|f f]   [f f f f]          parsed on any thread
-//! reader                # c             g x         -2                    reads what is between, and takes the pieces
+//! reader                # c             g x         -2                    takes the pieces, and reads what lies between
 //! ```
 //!
-//! A format says what is plain in it as [`UsualRows`]: a small parser that knows nothing of what came before and takes in
-//! only what everybody writes. Everything else, and every error, is the reader's, which would read the whole text
-//! alike without any of this. The reader goes from piece to piece in the order of the text and takes one only if it
-//! stands at its first byte and may have all of it; else it reads the same bytes itself. So it does not matter where
-//! chunks begin, how many threads there are, or whether a piece is right to begin where it does.
+//! A format defines its [`UsualRows`]: a small parser without any state that accepts only what almost all programs
+//! write. Everything else, and every error, is left to the sequential reader, which could read the whole text alone
+//! with the same result. The reader goes from piece to piece in the order of the text. It takes a piece only if it
+//! stands at the first byte of the piece and the limits allow all of it; else it reads these bytes itself. So the
+//! result does not depend on where chunks begin, on the number of threads, or on whether a piece begins in the middle
+//! of something.
 //!
-//! The pieces of one wave of chunks are taken while the next wave is parsed: memory is that of two waves. What is
-//! parsed in vain is at most the text itself, and a chunk that is hardly plain is soon left to the reader.
+//! The pieces of one wave of chunks are taken while the next wave is parsed, so memory is that of two waves. At most
+//! the text itself is parsed in vain. A chunk with few usual rows is soon left to the reader.
 
 use std::ops::Range;
 
@@ -24,49 +25,49 @@ use crate::text;
 
 /// Rows of a text in the usual layout of a format. What a row says does not depend on what stands before it.
 pub(crate) trait UsualRows: Send + Sync {
-    /// No rows, but of the same kind.
+    /// An empty collection of the same kind of rows.
     fn none(&self) -> Self;
 
-    /// Forgets all rows, and keeps the memory for others.
+    /// Forgets all rows, but keeps their memory.
     fn clear(&mut self);
 
-    /// Adds the row that begins at a byte, after blanks or empty lines, and says where it ends: after a line end, or
-    /// with the text. Adds nothing when it is not plain.
+    /// Adds the row that begins at a byte, after blanks or empty lines, and returns where it ends: after a line end,
+    /// or at the end of the text. Returns `None`, having added nothing, if the row is unusual.
     fn add(&mut self, text: &[u8], at: usize) -> Option<usize>;
 
-    /// Where the row after the one at this byte begins, or may begin.
+    /// Where the row after the one at this byte may begin.
     fn next_row(text: &[u8], at: usize) -> usize {
         text::after_line_end(text, text::line_end(text, at))
     }
 }
 
-/// Reads a text by itself, and may be given rows of it.
+/// Reads a text row by row, but can take rows that are parsed already.
 pub(crate) trait SequentialReader<R>: Send {
-    /// The byte that it comes to next.
+    /// The byte that it reads next.
     fn at(&self) -> usize;
 
-    /// Reads on by itself until it is done, or what comes next does not begin before this byte. At the end of the text
-    /// something that is still missing is an error.
+    /// Reads on by itself until it is done, or until the next row begins at or after this byte. If something is still
+    /// missing at the end of the text, that is an error.
     fn read_to(&mut self, end: usize) -> Result<(), ReadError>;
 
-    /// Takes the rows that come next and goes to their end; stays where it is if it must read them itself.
+    /// Takes the next rows and moves to their end. Stays where it is if it must read them itself.
     fn take(&mut self, rows: &R, end: usize);
 
-    /// Whether it has all that it came for, though the text may go on.
+    /// Whether it has read all that it needs. The text may go on.
     fn is_done(&self) -> bool;
 }
 
 /// How far ahead a text is parsed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace {
-    /// The bytes of a chunk, at least.
+    /// The least size of a chunk in bytes.
     pub(crate) chunk: usize,
-    /// The chunks of a wave.
+    /// How many chunks a wave has.
     pub(crate) chunks: usize,
 }
 
 impl Pace {
-    /// The reader reads all by itself.
+    /// The reader reads everything by itself.
     pub(crate) const NONE: Pace = Pace { chunk: 0, chunks: 0 };
 
     /// The pace for a text of so many bytes. Small ones start no thread.
@@ -81,9 +82,9 @@ impl Pace {
     }
 }
 
-/// Lets a reader read on until it is done or the text ends, parsing plain rows ahead of it.
+/// Reads a text until the reader is done or the text ends, while usual rows are parsed ahead of it.
 ///
-/// *Cost*: linear; memory for the rows of two waves.
+/// *Cost*: time is linear; memory holds the rows of two waves.
 pub(crate) fn read_speculatively<R: UsualRows>(
     text: &[u8],
     pace: Pace,
@@ -109,19 +110,19 @@ pub(crate) fn read_speculatively<R: UsualRows>(
     wave.hand_over(reader)
 }
 
-/// Chunks that are parsed at a time.
+/// The chunks that are parsed at one time.
 struct Wave<R> {
     end: usize,
     chunks: Vec<Chunk<R>>,
 }
 
-/// Some bytes of a text, and what is plain in them.
+/// Some bytes of a text, and the usual rows in them.
 struct Chunk<R> {
     text: Range<usize>,
     pieces: Vec<Piece<R>>,
 }
 
-/// UsualRows without anything between them.
+/// Adjacent rows.
 struct Piece<R> {
     text: Range<usize>,
     rows: R,
@@ -163,8 +164,8 @@ impl<R: UsualRows> Wave<R> {
 }
 
 impl<R: UsualRows> Chunk<R> {
-    /// Collects what is plain, unless that is hardly anything: what is not takes more than its share of a reader's
-    /// time, and pieces of a row or two take more than the rows.
+    /// Collects the usual rows. It stops early if there are few: unusual rows cost more time here than in the reader,
+    /// and pieces of one or two rows cost more than the rows themselves.
     fn parse(&mut self, text: &[u8], rows: &R) {
         const LEAST_PIECE: usize = 1 << 10;
         const SPARE_GAPS: usize = 16;
@@ -187,7 +188,7 @@ impl<R: UsualRows> Chunk<R> {
         }
     }
 
-    /// Forgets all pieces, and gives the memory of the first one for another.
+    /// Forgets all pieces, and returns the memory of the first.
     fn take_memory(&mut self) -> Option<R> {
         let first = self.pieces.drain(..).next();
         first.map(|mut piece| {

@@ -1,10 +1,11 @@
-//! A line of text as almost all programs write it: words that are parted by blanks, numbers without surprises.
+//! A line of text as almost all programs write it: words between blanks, and numbers of the usual spelling.
 //!
-//! What is not plain has no value here, be it wrong or only rare: another reader will say what it is.
+//! Whatever is unusual is `None` here, be it wrong or only rare. The sequential reader of the format decides what it
+//! is.
 
 use crate::text::{self, Real, is_blank, is_line_end, is_space};
 
-/// Goes through the words of a line.
+/// Walks over the words of a line.
 pub(crate) struct UsualLine<'a> {
     text: &'a [u8],
     pub(crate) at: usize,
@@ -17,7 +18,7 @@ impl<'a> UsualLine<'a> {
         UsualLine { text, at: text::skip_space(text, at, text.len()) }
     }
 
-    /// Passes over a word if it begins here.
+    /// Skips a word if it stands here, and returns whether it does.
     #[inline]
     pub(crate) fn accept(&mut self, word: &[u8]) -> bool {
         let rest = &self.text[self.at..];
@@ -26,13 +27,13 @@ impl<'a> UsualLine<'a> {
         is_here
     }
 
-    /// Passes over the next word, which must be this one.
+    /// Skips the next word, which must be this one.
     #[inline]
     pub(crate) fn pass(&mut self, word: &[u8]) -> Option<()> {
         (self.has_more() && self.accept(word)).then_some(())
     }
 
-    /// Passes over the next word, whatever it is.
+    /// Skips and returns the next word, whatever it is.
     #[inline]
     pub(crate) fn pass_any(&mut self) -> Option<&'a [u8]> {
         let word = self.has_more().then(|| text::word(self.text, self.at))?;
@@ -40,7 +41,7 @@ impl<'a> UsualLine<'a> {
         Some(word)
     }
 
-    /// Passes over a byte if it comes next.
+    /// Skips a byte if it comes next, and returns whether it does.
     #[inline]
     pub(crate) fn accept_byte(&mut self, byte: u8) -> bool {
         let is_next = self.peek() == Some(byte);
@@ -48,7 +49,7 @@ impl<'a> UsualLine<'a> {
         is_next
     }
 
-    /// Passes over blanks; whether there is another word in the line.
+    /// Skips blanks, and returns whether the line has another word.
     #[inline]
     pub(crate) fn has_more(&mut self) -> bool {
         while self.peek().is_some_and(is_blank) {
@@ -57,7 +58,7 @@ impl<'a> UsualLine<'a> {
         self.peek().is_some_and(|byte| !is_line_end(byte))
     }
 
-    /// The next word as a number with or without a fraction.
+    /// The next word as a floating-point number.
     #[inline]
     pub(crate) fn real<T: Real>(&mut self) -> Option<T> {
         if !self.has_more() {
@@ -74,7 +75,7 @@ impl<'a> UsualLine<'a> {
         Some([self.real()?, self.real()?, self.real()?])
     }
 
-    /// A whole number of up to nine digits that begins here.
+    /// The whole number of up to nine digits that begins here.
     #[inline]
     pub(crate) fn digits(&mut self) -> Option<u32> {
         let (start, mut value) = (self.at, 0_u32);
@@ -108,7 +109,7 @@ impl<'a> UsualLine<'a> {
         self.peek().is_none_or(is_space)
     }
 
-    /// Where the next line begins, if there is no other word in this one.
+    /// Where the next line begins, if this one has no other word.
     #[inline]
     pub(crate) fn end(&mut self) -> Option<usize> {
         (!self.has_more()).then(|| text::after_line_end(self.text, self.at))

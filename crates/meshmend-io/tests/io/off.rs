@@ -169,8 +169,8 @@ fn wrong_rows_are_refused_with_their_line() {
         ("0 0 0\n1 0 0\n0 1 0\n3 0 1\n", 6, "a face of 3 corners does not fit its line"),
         ("0 0 0\n1 0 0\n0 1 0\n3 0 1 # two\n", 6, "the line ends where the index of a vertex belongs"),
         ("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", 6, "vertex 3 does not exist: the file has 3 vertices"),
-        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", 6, "-1 is no index of a vertex"),
-        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 4294967297\n", 6, "4294967297 is no index of a vertex"),
+        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", 6, "-1 is not the index of a vertex"),
+        ("0 0 0\n1 0 0\n0 1 0\n3 0 1 4294967297\n", 6, "4294967297 is not the index of a vertex"),
         ("0 0 0\n1 0 0\n0 1 0\n3 0 1 2.5\n", 6, "`2.5` where the index of a vertex belongs"),
         ("0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", 6, "a face of 4000000000 corners does not fit its line"),
     ] {

@@ -7,7 +7,8 @@ use meshmend_io::{Format, NoteKind, Place, ReadFile};
 const XYZ: &str = "property float x\nproperty float y\nproperty float z\n";
 const LIST: &str = "property list uchar int vertex_indices\n";
 
-/// A file of three vertices and one face, with other elements after them; its first row stands on line 10 if there are none.
+/// A file of three vertices and one face, with other elements after them; its first row stands on line 10 if there
+/// are none.
 fn file(others: &str, body: &str) -> String {
     format!("ply\nformat ascii 1.0\nelement vertex 3\n{XYZ}element face 1\n{LIST}{others}end_header\n{body}")
 }

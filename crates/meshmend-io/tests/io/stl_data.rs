@@ -105,7 +105,7 @@ fn names_in_one_line_end_where_a_facet_begins() {
         let expected = [Some("first"), Some(name).filter(|name| !name.is_empty()), Some("last")];
         assert_eq!(found, expected.map(|name| name.map(str::to_owned)), "{name}");
     }
-    // What would be read as a facet is spelled otherwise.
+    // What would be read as a facet is spelled differently.
     let name = b"facet normal 0 0 1 outer loop vertex 0 0 0".to_vec();
     let mesh = read(solid("x")).mesh.with_metadata(vec![Metadata { key: "solid".to_owned(), value: name }]);
     let (bytes, losses) = written(&mesh, Format::Stl, Encoding::Ascii);

@@ -16,21 +16,21 @@ pub(super) const FACE: usize = 3;
 pub(super) const LINE: usize = 4;
 pub(super) const POINT: usize = 5;
 
-/// The sign of comments after the last element.
+/// The anchor of comments after the last element.
 pub(super) const END: &str = "end";
 
-/// Where the next statement of an element is, as far as that is known.
+/// Where the next statement of an element is, if it has been searched.
 #[derive(Default)]
 pub(super) struct Anchors {
-    /// From which byte on it is the next one.
+    /// The byte where the search began.
     from: usize,
     next: Option<(usize, Option<usize>)>,
 }
 
 impl Anchors {
-    /// Which kind of element has the first statement at or after a byte.
+    /// The kind of the first element whose statement begins at or after a byte.
     ///
-    /// *Cost*: each byte of the text is looked at once in all, if bytes are asked for in ascending order.
+    /// *Cost*: each byte of the text is read once in all, if the bytes of calls ascend.
     pub(super) fn after(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         match self.next {
             Some((end, kind)) if self.from <= at && at <= end => kind,
@@ -43,7 +43,7 @@ impl Anchors {
     }
 }
 
-/// The next statement of an element from a line end on: where, and of which kind.
+/// The place and kind of the next statement of an element after a line end.
 fn next_element(bytes: &[u8], at: usize) -> (usize, Option<usize>) {
     let mut at = text::skip_space(bytes, at, bytes.len());
     while at < bytes.len() {

@@ -1,7 +1,7 @@
-//! Material libraries and their images: whether they are there, and whether the output will find them.
+//! Material libraries and their images: whether they exist, and whether the output will find them.
 //!
-//! A file names them; nothing of a mesh depends on them. Only what lies in the folder of the file is opened, and only to see
-//! whether it is there and, in a library, which images it names.
+//! A file names them, but the mesh does not depend on them. Only files in the folder of the mesh file are opened, to
+//! see whether they exist, and which images a library names.
 
 use std::fs::{self, File};
 use std::io::{self, Read};
@@ -22,7 +22,7 @@ const MOST_BYTES: u64 = 1 << 26;
 /// How many files a message names at most.
 const MOST_NAMES: usize = 8;
 
-/// The files that are there, with their folder.
+/// The files that exist, with their folder.
 #[derive(Debug, PartialEq)]
 pub(super) struct Companions {
     folder: PathBuf,
@@ -30,21 +30,21 @@ pub(super) struct Companions {
     names: Vec<Vec<u8>>,
 }
 
-/// What a search found: the files that are there, and notes about those that are not.
+/// What a search found: the files that exist, and notes about the others.
 pub(super) struct Found {
     pub(super) companions: Option<Companions>,
     pub(super) notes: Vec<Note>,
 }
 
-/// Looks for the files that the statements of a file name. The path is that of the file.
+/// Looks for the files that the statements of a mesh file name. The path is that of the mesh file.
 ///
 /// *Cost*: constant without a statement; else that of reading the libraries.
 pub(super) fn look_for(libraries: &[&[u8]], path: &Path) -> Found {
-    let nothing = Found { companions: None, notes: Vec::new() };
+    let none = Found { companions: None, notes: Vec::new() };
     if libraries.is_empty() {
-        return nothing;
+        return none;
     }
-    let Ok(folder) = fs::canonicalize(folder_of(path)) else { return nothing };
+    let Ok(folder) = fs::canonicalize(folder_of(path)) else { return none };
     let mut search = Search { folder, names: Vec::new(), notes: Vec::new(), looked: 0 };
     libraries.iter().for_each(|statement| search.libraries(statement));
     let Search { folder, names, notes, .. } = search;
@@ -52,7 +52,7 @@ pub(super) fn look_for(libraries: &[&[u8]], path: &Path) -> Found {
     Found { companions, notes }
 }
 
-/// What is found out about the files that a file names.
+/// A search for the files that a mesh file names.
 struct Search {
     folder: PathBuf,
     names: Vec<Vec<u8>>,
@@ -60,7 +60,7 @@ struct Search {
     looked: usize,
 }
 
-/// Where a name leads.
+/// What a name leads to.
 enum Lead {
     There(PathBuf),
     Missing,
@@ -68,7 +68,7 @@ enum Lead {
 }
 
 impl Search {
-    /// The libraries of one statement: its words, or all of it where that is the name of a file.
+    /// Looks for the libraries of one statement: the whole statement if it is the name of a file, else each word.
     fn libraries(&mut self, statement: &[u8]) {
         let is_whole = matches!(self.find(statement), Lead::There(_));
         let names: Vec<&[u8]> = if is_whole { vec![statement] } else { words(statement).collect() };
@@ -85,14 +85,14 @@ impl Search {
         }
     }
 
-    /// An image, whose name is read in two ways: the one that leads to a file is right.
+    /// Looks for an image. Its name can be read in two ways; the one that leads to a file is right.
     fn image(&mut self, [whole, last]: &[&[u8]; 2]) {
         let is_last =
             !matches!(self.find(whole), Lead::There(_)) && matches!(self.find(last), Lead::There(_));
         self.companion("image", if is_last { last } else { whole });
     }
 
-    /// The path of a file that is there; what is not is noted. Each name is looked for once.
+    /// The path of a file, if it exists; else a note says so. Each name is looked for once.
     fn companion(&mut self, what: &str, name: &[u8]) -> Option<PathBuf> {
         if name.is_empty() || self.names.iter().any(|known| known == name) || self.looked == MOST_FILES {
             return None;
@@ -132,7 +132,7 @@ impl Search {
     }
 }
 
-/// A name as a path below a folder, if it does not lead out of it. `\` parts folders as `/` does.
+/// A name as a path below a folder, or `None` if it leads out of the folder. `\` separates folders as `/` does.
 fn within(name: &[u8]) -> Option<PathBuf> {
     let name = String::from_utf8_lossy(name).replace('\\', "/");
     let path = PathBuf::from(name);
@@ -154,7 +154,7 @@ fn read_start(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The loss of the files that the input names and that the output won't find.
+/// The loss of the files that the input names and the output won't find.
 pub(super) fn loss(companions: &Companions, output: Output<'_>) -> Option<Loss> {
     let (is_obj, folder) = match output {
         Output::OfSameFormat(folder) => (true, folder),

@@ -14,7 +14,8 @@ pub(crate) const FACTS: Facts = Facts {
     sniff: |head, _| sniff(head),
 };
 
-/// Whether a text surely is OBJ: it begins with a usual statement, and has a vertex, a texture coordinate or a normal.
+/// Whether a text surely is OBJ: it begins with a usual statement, and has a vertex, a texture coordinate or a
+/// normal.
 fn sniff(bytes: &[u8]) -> bool {
     const FIRST: [&[u8]; 8] = [b"v", b"mtllib", b"o", b"g", b"vn", b"vt", b"usemtl", b"s"];
     let start = &bytes[..bytes.len().min(1 << 16)];

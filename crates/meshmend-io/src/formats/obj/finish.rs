@@ -1,4 +1,4 @@
-//! What is left to do when all statements have been read: layers, and what there is to note about them.
+//! The end of reading: layers are made of what the statements gave, with notes about them.
 
 use meshmend_core::{Carry, Domain, Layer, Values};
 
@@ -51,7 +51,7 @@ impl Reader<'_> {
         self.parts.layers.extend(colors.layer(vertices));
     }
 
-    /// Adds the layers of texture coordinates and normals; gives the former.
+    /// Adds the layers of texture coordinates and normals, and returns the former.
     fn corner_layers(&mut self) -> Option<Layer> {
         self.note_mixed_widths();
         let texcoords = std::mem::take(&mut self.texcoords.values);

@@ -2,10 +2,10 @@
 
 use crate::text::{trimmed, trimmed_start, word};
 
-/// UsualStatements that name an image, beside those that begin with `map_`.
+/// Statements that name an image. So do all that begin with `map_`.
 const WITH_IMAGE: [&[u8]; 6] = [b"bump", b"disp", b"decal", b"refl", b"norm", b"map"];
 
-/// Options with as many values as they may have.
+/// Options, with the most values that each can have.
 const OPTIONS: [(&[u8], usize); 14] = [
     (b"-blendu", 1),
     (b"-blendv", 1),
@@ -23,7 +23,7 @@ const OPTIONS: [(&[u8], usize); 14] = [
     (b"-colorspace", 1),
 ];
 
-/// Each image of a library's text, by all that follows the options, and by the last word alone.
+/// The images that a library names, each in two readings: all that follows the options, and the last word alone.
 pub(super) fn images(text: &[u8]) -> impl Iterator<Item = [&[u8]; 2]> {
     text.split(|&byte| byte == b'\n' || byte == b'\r').filter_map(image)
 }
@@ -43,7 +43,7 @@ fn without_options(mut rest: &[u8]) -> &[u8] {
     while let Some((_, most)) = OPTIONS.iter().find(|(option, _)| *option == word(rest, 0)) {
         rest = after_word(rest);
         for value in 0..*most {
-            // Of several values only the first must be there; the others are numbers.
+            // Of several values only the first is required; the others are numbers.
             if value > 0 && fast_float2::parse::<f64, _>(word(rest, 0)).is_err() {
                 break;
             }

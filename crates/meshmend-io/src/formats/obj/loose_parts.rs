@@ -2,16 +2,16 @@
 
 use crate::input::indices::Uses;
 
-/// The layer that tells which loose edges are one polyline.
+/// The layer whose values group loose edges into polylines.
 pub(super) const POLYLINE: &str = "polyline";
 
-/// The layer of the texture coordinates at the ends of loose edges; those at their starts are in `texcoord`.
+/// The layer of the texture coordinates at the ends of loose edges. Those at the starts are in `texcoord`.
 pub(super) const END_TEXCOORD: &str = "texcoord_end";
 
-/// What was read of loose elements beside the elements themselves.
+/// What was read about loose elements.
 #[derive(Default)]
 pub(super) struct LooseParts {
-    /// Which polyline each edge belongs to, if there is one of several edges.
+    /// The polyline of each edge.
     pub(super) polylines: Vec<u32>,
     pub(super) polyline_count: u32,
     pub(super) has_long: bool,

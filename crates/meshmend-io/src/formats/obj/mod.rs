@@ -6,13 +6,13 @@
 //! | `vt`, `vn` | the pools of the corner layers `texcoord` (one to three numbers) and `normal` |
 //! | `f` | a face, however many corners it has |
 //! | `l`, `p` | loose edges, loose points; edges of one statement have one value in the layer `polyline`, and their texture coordinates are in the layers `texcoord` (where an edge starts) and `texcoord_end` |
-//! | `o`, `g`, `usemtl`, `s` | the layers `object`, `group`, `material`, `smoothing` of faces and loose elements; no name (or `s off`) is no value; each statement is a value of its own |
+//! | `o`, `g`, `usemtl`, `s` | the layers `object`, `group`, `material`, `smoothing` of faces and loose elements; without a name (or with `s off`) an element has no value; each statement is its own value |
 //! | `mtllib`, `#` | metadata; a comment after the first vertex stands before the element that follows it |
 //!
-//! Any other statement is skipped and noted. Indices count from 1, or back from the last vertex when negative; a
-//! face may name later vertices. A vertex index that does not exist is an error; a texture or normal index that
-//! does not exist leaves the corner without that value and is noted, as the geometry is whole. `\` at the end of
-//! a line continues it (not a comment). Lines end with LF, CR LF or CR.
+//! Any other statement is skipped, with a note. Indices count from 1, or back from the last vertex if they are
+//! negative. A face may name later vertices. The index of a missing vertex is an error. The index of a missing
+//! texture coordinate or normal is noted, and the corner has no such value, as the geometry is whole. A `\` at the
+//! end of a line continues it, but not a comment. Lines end with LF, CR LF or CR.
 
 mod comment_anchors;
 mod companions;

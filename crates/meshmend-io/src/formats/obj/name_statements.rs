@@ -6,11 +6,11 @@ use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Values};
 
 use crate::text::is_blank;
 
-/// A kind of such statement.
+/// A kind of statement that names all elements after it.
 pub(super) struct Kind {
     pub(super) statement: &'static [u8],
     pub(super) layer: &'static str,
-    /// What stands for no name at all.
+    /// The word for no name at all.
     pub(super) none: &'static [u8],
 }
 
@@ -43,15 +43,15 @@ impl Elements {
 /// The kinds of element that have names.
 pub(super) const NAMED: [Domain; 3] = [Domain::Face, Domain::LooseEdge, Domain::LoosePoint];
 
-/// The names of one kind. Each statement begins a run, whether the name is a new one or not: two objects of one name that
-/// follow one another are two.
+/// The names of one kind. Each statement begins a run, even if it repeats the name: two consecutive objects of one
+/// name are two objects.
 #[derive(Default)]
 pub(super) struct Runs<'a> {
     runs: Vec<Run<'a>>,
     unused: Unused,
 }
 
-/// The elements that a name statement holds for; an empty name is none.
+/// The elements of one statement. An empty name is no name.
 struct Run<'a> {
     name: Cow<'a, [u8]>,
     first: Elements,
@@ -59,7 +59,7 @@ struct Run<'a> {
     at: usize,
 }
 
-/// The names that no element has: how many, and where the first statement is.
+/// The names that no element has: their number, and the place of the first statement.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Unused {
     pub(super) count: u64,
@@ -67,13 +67,13 @@ pub(super) struct Unused {
 }
 
 impl<'a> Runs<'a> {
-    /// From these elements on the name holds that a statement says.
+    /// Begins the run of a statement with these elements.
     pub(super) fn start(&mut self, first: Elements, name: Cow<'a, [u8]>, at: usize) {
         self.end(first);
         self.runs.push(Run { name, first, at });
     }
 
-    /// Forgets the last name if there is no element that has it.
+    /// Forgets the last run if it has no element.
     fn end(&mut self, elements: Elements) {
         if let Some(run) = self.runs.pop_if(|run| run.first == elements).filter(|run| !run.name.is_empty()) {
             let first = if self.unused.count == 0 { run.at } else { self.unused.first };
@@ -81,8 +81,9 @@ impl<'a> Runs<'a> {
         }
     }
 
-    /// The layers of faces and loose elements, those that there are, over one pool of names; and the names that no element
-    /// has. A name has a value for each statement that is written of it: faces come first, then edges, then points.
+    /// The layers of faces and loose elements over one pool of names, and the names that no element has. The pool has
+    /// a value for each statement that a writer makes of it: those of faces come first, then those of edges, then
+    /// those of points.
     pub(super) fn layers(mut self, kind: &Kind, elements: Elements) -> (Vec<Layer>, Unused) {
         self.end(elements);
         let mut pool: Vec<Vec<u8>> = Vec::new();
@@ -113,7 +114,7 @@ impl<'a> Runs<'a> {
     }
 }
 
-/// A name as a statement of this kind can say it: one line, no blank at its ends, no comment.
+/// A name as a statement of this kind can spell it: on one line, without blanks at its ends, without a comment.
 pub(super) fn spelled<'a>(kind: &Kind, name: &'a [u8]) -> Cow<'a, [u8]> {
     let ends_well = |end: Option<&u8>| end.is_some_and(|&b| !is_blank(b) && b != b'\\');
     let starts_well = name.first().is_some_and(|&b| !is_blank(b) && b != b'#');

@@ -1,8 +1,8 @@
-//! The values that statements give: texture coordinates, normals, colours.
+//! The values of statements: texture coordinates, normals, colours.
 
 use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Values};
 
-/// Values of one to three numbers, one after the other, all as wide as the widest.
+/// Values of one to three numbers. All are as wide as the widest.
 #[derive(Default)]
 pub(super) struct Pool {
     pub(super) width: usize,
@@ -32,7 +32,7 @@ impl Pool {
         self.values.resize(self.values.len() + self.width - value.len(), 0.0);
     }
 
-    /// Appends the values of another pool, unless one is wider than the other.
+    /// Appends the values of another pool if both have the same width, and returns whether they have.
     pub(super) fn append(&mut self, other: &Pool) -> bool {
         let fits = other.values.is_empty() || [0, other.width].contains(&self.width);
         if fits && !other.values.is_empty() {
@@ -42,7 +42,7 @@ impl Pool {
         fits
     }
 
-    /// Forgets all values, and keeps the memory for others.
+    /// Forgets all values, but keeps their memory.
     pub(super) fn clear(&mut self) {
         self.values.clear();
         (self.width, self.mixed) = (0, 0);
@@ -68,7 +68,7 @@ impl Colors {
         self.values.push(value);
     }
 
-    /// Appends the colours of later vertices, the first of which is this one.
+    /// Appends the colours of later vertices. This vertex is the first of them.
     pub(super) fn append(&mut self, vertex: usize, later: &Colors) {
         if !later.values.is_empty() {
             self.width = self.width.max(later.width);
@@ -85,7 +85,7 @@ impl Colors {
         self.width == 4
     }
 
-    /// Forgets all colours, and keeps the memory for others.
+    /// Forgets all colours, but keeps their memory.
     pub(super) fn clear(&mut self) {
         self.width = 0;
         self.values.clear();

@@ -1,4 +1,4 @@
-//! The OBJ reader: one pass over the bytes, without a copy of any line. Plain statements are parsed ahead of it.
+//! The OBJ reader: one pass over the bytes, without copying lines. Usual statements are parsed ahead of it.
 
 use std::borrow::Cow;
 
@@ -83,7 +83,7 @@ impl Reader<'_> {
         self.cursor.at = end;
     }
 
-    /// The key of a comment that ends at a byte: before the first vertex it stands on top.
+    /// The key of a comment that ends at a byte. Before the first vertex, comments belong to the file.
     fn comment_key(&mut self, end: usize) -> String {
         let kind = self.anchors.after(self.cursor.bytes, end);
         let elements = self.elements();
@@ -193,7 +193,7 @@ impl Reader<'_> {
         self.source.limited("corners", corners as u64, self.limits.max_corners)
     }
 
-    /// What follows a corner's vertex: `/t`, `//n`, `/t/n`; nothing after a slash is no value.
+    /// What follows the vertex of a corner: `/t`, `//n` or `/t/n`. An index may be missing after its slash.
     fn attributes(&mut self, corner: usize, start: usize) -> Result<(), ReadError> {
         self.cursor.at += 1;
         if self.cursor.is_index() {

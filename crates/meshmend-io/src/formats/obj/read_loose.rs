@@ -1,4 +1,4 @@
-//! Loose edges and points, with what they have beside their vertices.
+//! Reading loose edges and points, with their texture coordinates.
 
 use meshmend_core::{Carry, Domain, Layer, Values, VertexId};
 

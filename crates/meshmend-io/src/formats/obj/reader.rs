@@ -51,7 +51,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// How many elements there are so far.
+    /// How many elements have been read.
     pub(super) fn elements(&self) -> Elements {
         Elements {
             faces: self.parts.faces.face_count(),
@@ -60,7 +60,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The index of a vertex from 0 on; whether it exists is known at the end, unless it counts back.
+    /// The index of a vertex, counted from 0. Whether it exists is checked at the end, unless it counts back.
     #[inline]
     pub(super) fn vertex_index(&mut self, raw: i64, start: usize) -> Result<u32, ReadError> {
         let count = self.parts.positions.len();
@@ -77,7 +77,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The index of a texture coordinate or normal; one that can't exist becomes one that does not.
+    /// The index of a texture coordinate or normal, counted from 0. An impossible index is noted and has no value.
     pub(super) fn attribute_index(&mut self, raw: i64, count: usize, start: usize) -> u32 {
         resolved(raw, count).unwrap_or_else(|| {
             self.note_out_of_range(1, start);
@@ -92,7 +92,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// An index from 0 on: positive ones count from 1, negative ones back from the count.
+/// An index counted from 0. In a file, positive indices count from 1, and negative ones back from the count.
 #[inline]
 fn resolved(raw: i64, count: usize) -> Option<u32> {
     let index = match raw {

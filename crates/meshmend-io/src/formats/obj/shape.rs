@@ -9,15 +9,15 @@ use crate::{Loss, Prepared, ReadFile, Shell};
 /// What an OBJ file's writer chose, and which other files the file names.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct ObjShape {
-    /// Whether colours have a fourth number. Most other programs misread a vertex of seven numbers, so the number is written
-    /// only where it was there.
+    /// Whether colours have a fourth number. Most other programs misread a vertex of seven numbers, so the number is
+    /// written only where it was there.
     pub(super) has_alpha: bool,
-    /// The files that the file names, if it names any that are there.
+    /// The files that the file names, if any of them exist.
     pub(super) companions: Option<Companions>,
 }
 
 impl ObjShape {
-    /// How many numbers of a colour are written: four where the mesh comes from an OBJ with four.
+    /// How many numbers of a colour are written: four if the mesh comes from an OBJ file with four.
     pub(super) fn color_width(prepared: &Prepared) -> usize {
         match prepared.shape() {
             Some(ObjShape { has_alpha: true, .. }) => 4,
@@ -37,7 +37,7 @@ impl Shape for ObjShape {
     }
 }
 
-/// A file that was read from a path, with what there is to say about the files that it names.
+/// A file that was read from a path, with notes about the files that it names.
 ///
 /// *Cost*: constant for a file that names none; else that of reading its libraries.
 pub(super) fn look_beside(mut file: ReadFile, path: &Path) -> ReadFile {

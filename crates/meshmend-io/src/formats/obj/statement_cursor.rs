@@ -1,4 +1,4 @@
-//! A place in an OBJ file, and what a statement may have there.
+//! A place in an OBJ file, and the items of a statement.
 
 use std::borrow::Cow;
 
@@ -6,14 +6,14 @@ use crate::ReadError;
 use crate::input::source::Source;
 use crate::text::{self, is_blank, is_line_end};
 
-/// Goes through the bytes of a file.
+/// Walks over the bytes of a file.
 pub(super) struct Cursor<'a> {
     source: &'a Source<'a>,
     pub(super) bytes: &'a [u8],
     pub(super) at: usize,
 }
 
-/// The most numbers of a statement that have a meaning.
+/// How many numbers of a statement can have a meaning.
 pub(super) const COLUMNS: usize = 8;
 
 impl<'a> Cursor<'a> {
@@ -23,7 +23,7 @@ impl<'a> Cursor<'a> {
         Cursor { source, bytes: source.bytes, at }
     }
 
-    /// The rest of a statement as numbers; tells how many, and keeps as many as fit.
+    /// Reads the rest of a statement as numbers. Returns how many there are, and keeps as many as fit.
     #[inline]
     pub(super) fn numbers(&mut self, kept: &mut [f64; COLUMNS]) -> Result<usize, ReadError> {
         let mut count = 0;
@@ -81,7 +81,7 @@ impl<'a> Cursor<'a> {
         Err(self.wrong(self.at, &format!("`{found}` after {what}")))
     }
 
-    /// Skips to the next item of the statement; at its end there is none.
+    /// Skips to the next item of the statement, and returns whether there is one.
     #[inline]
     pub(super) fn more_items(&mut self) -> bool {
         self.skip_blanks();
@@ -101,7 +101,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The rest of a statement as a name: without blanks at its ends and without a comment, which is left where it is.
+    /// The rest of a statement as a name, without blanks at its ends. A comment is not read.
     pub(super) fn rest(&mut self) -> Result<Cow<'a, [u8]>, ReadError> {
         let start = self.at;
         let mut end = text::line_end(self.bytes, start);
@@ -145,7 +145,7 @@ fn name_of(bytes: &[u8]) -> &[u8] {
     text::trimmed(&bytes[..comment_start(bytes)])
 }
 
-/// Where a comment begins, if there is one, or the end: `#` at the start or after a blank.
+/// Where a comment begins, or the end if there is none. It begins with a `#` at the start or after a blank.
 fn comment_start(bytes: &[u8]) -> usize {
     let begins_comment = |at: usize| bytes[at] == b'#' && (at == 0 || is_blank(bytes[at - 1]));
     (0..bytes.len()).find(|&at| begins_comment(at)).unwrap_or(bytes.len())

@@ -1,4 +1,4 @@
-//! UsualStatements as almost all programs write them: `v` with three coordinates and maybe a colour, `vt`, `vn`, and `f`
+//! Statements as almost all programs write them: `v` with three coordinates and maybe a colour, `vt`, `vn`, and `f`
 //! whose corners all name the same things, by positive indices.
 
 use meshmend_core::{FaceTableBuilder, VertexId};
@@ -8,7 +8,7 @@ use crate::input::indices::{MaxIndex, Uses};
 use crate::text::speculative_parse::UsualRows;
 use crate::text::usual_line::UsualLine;
 
-/// What plain statements say.
+/// The content of usual statements.
 #[derive(Default)]
 pub(super) struct UsualStatements {
     pub(super) positions: Vec<[f64; 3]>,
@@ -17,7 +17,7 @@ pub(super) struct UsualStatements {
     pub(super) normals: Pool,
     pub(super) faces: FaceTableBuilder,
     pub(super) max_index: MaxIndex,
-    /// Of all corners, or of none.
+    /// The uses of all corners, or of none.
     pub(super) texcoord_uses: Uses,
     pub(super) normal_uses: Uses,
 }
@@ -73,7 +73,7 @@ impl UsualStatements {
         line.end()
     }
 
-    /// One to three numbers, as many as the others have.
+    /// One to three numbers, as many as the other statements have.
     fn texcoord(&mut self, mut line: UsualLine<'_>) -> Option<usize> {
         let (mut numbers, mut count) = ([0.0; 3], 0);
         while line.has_more() {
@@ -101,7 +101,7 @@ impl UsualStatements {
         end
     }
 
-    /// Whether all corners of all faces name a texture coordinate, or none does, and the same of normals.
+    /// Whether all corners of all faces name a texture coordinate or none does, and likewise for normals.
     #[inline]
     fn corners_are_alike(&self) -> bool {
         let corners = self.faces.corner_count();
@@ -125,7 +125,7 @@ impl UsualStatements {
         line.end()
     }
 
-    /// What follows a corner's vertex: `t`, `t/n` or `/n`.
+    /// What follows the slash after the vertex of a corner: `t`, `t/n` or `/n`.
     #[inline]
     fn attributes(&mut self, line: &mut UsualLine<'_>, start: usize) -> Option<()> {
         let mut has_normal = line.accept_byte(b'/');

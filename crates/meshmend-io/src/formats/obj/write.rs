@@ -16,10 +16,10 @@ use crate::output::sink::Sink;
 use crate::output::statements::{metadata_losses, one_line, spelling_loss};
 use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
-/// UsualStatements about the whole file, with their keys.
+/// The keys of statements about the whole file, and their words.
 const STATEMENTS: [(&str, &str); 2] = [(COMMENT, "#"), ("mtllib", "mtllib")];
 
-/// Colours and weights are written with the vertices.
+/// Moves colours and weights to the vertices, with which they are written.
 pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
     prepared.name_textures()?;
     prepared.split_seams(|layer| match layer.name() {
@@ -51,7 +51,7 @@ pub(super) fn encode(prepared: &Prepared, out: &mut dyn io::Write) -> Result<(),
     }
     let is_written = |key: &str| STATEMENTS.iter().any(|(known, _)| *known == key);
     if mesh.positions().is_empty() && !mesh.metadata().iter().any(|statement| is_written(statement.kind())) {
-        // A file without a byte could be one that something went wrong with.
+        // An empty file would look like the result of a failure.
         sink.bytes(b"# no vertices\n");
     }
     plan.vertices(mesh, &mut between, &mut sink)?;
@@ -129,7 +129,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// The loss of how far colours are opaque, where that is not written.
+    /// The loss of the alpha of colours, if it is not written.
     fn alpha_loss(&self, color: &Layer) -> Option<Loss> {
         if color.width() <= self.color_width {
             return None;

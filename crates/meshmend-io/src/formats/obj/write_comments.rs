@@ -1,4 +1,4 @@
-//! Comments between elements, each before the element that it stood before.
+//! Writing comments between elements: each before the element that followed it in the input.
 
 use meshmend_core::{Metadata, PolygonMesh};
 
@@ -6,9 +6,9 @@ use crate::formats::obj::comment_anchors::{COMMENT, ELEMENTS};
 use crate::output::sink::Sink;
 use crate::output::statements::one_line;
 
-/// The comments of a mesh that stand between its elements, each until it is written.
+/// The comments between the elements of a mesh that are yet to be written.
 pub(super) struct Between<'a> {
-    /// For each kind of element, each comment with its element, descending.
+    /// For each kind of element, the comments with the elements that they precede, in descending order.
     waiting: [Vec<(usize, &'a [u8])>; ELEMENTS.len()],
     last: Vec<&'a [u8]>,
 }
@@ -25,7 +25,7 @@ impl<'a> Between<'a> {
             }
         }
         for waiting in &mut between.waiting {
-            // Those before one element keep their order.
+            // Comments before the same element keep their order.
             waiting.sort_by_key(|(at, _)| *at);
             waiting.reverse();
         }

@@ -1,4 +1,4 @@
-//! Loose edges and points as statements.
+//! Writing loose edges and points as statements.
 
 use std::io;
 
@@ -15,7 +15,7 @@ use crate::output::sink::Sink;
 /// Which layers of loose elements are written, and where their texture coordinates are.
 pub(super) struct LoosePlan<'a> {
     polylines: Option<&'a Layer>,
-    /// Where edges start, where they end, and of points.
+    /// At the starts of edges, at the ends of edges, and at points.
     texcoords: [Option<&'a Layer>; 3],
     /// The number of the first value of each of these layers.
     first_values: [usize; 3],
@@ -69,7 +69,7 @@ impl<'a> LoosePlan<'a> {
         Ok(())
     }
 
-    /// Writes all loose elements, edges of one polyline as one statement.
+    /// Writes all loose elements. The edges of a polyline are one statement.
     pub(super) fn write(
         &self,
         mesh: &PolygonMesh,
@@ -105,7 +105,7 @@ impl<'a> LoosePlan<'a> {
         Ok(())
     }
 
-    /// One past the last edge that goes on from this one within its polyline.
+    /// One past the last edge that continues this one within its polyline.
     fn polyline_end(&self, edges: &[[VertexId; 2]], start: usize) -> usize {
         let Some(polylines) = self.polylines else { return start + 1 };
         let Some(polyline) = polylines.value_of(start) else { return start + 1 };

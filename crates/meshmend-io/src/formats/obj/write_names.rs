@@ -1,4 +1,4 @@
-//! The statements that give elements other names than those before them have.
+//! Writing the statements that change the names of the elements after them.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use crate::layers::layer_of;
 use crate::output::sink::Sink;
 use crate::{Loss, LossKind};
 
-/// The names of all kinds, and which of them hold at present.
+/// The names of all kinds, and the names that hold at present.
 pub(super) struct NameWriter<'a> {
     kinds: [NamesOfKind<'a>; KINDS.len()],
 }
@@ -48,7 +48,7 @@ impl<'a> NameWriter<'a> {
         self.kinds.iter().flat_map(|names| names.layers.iter().flatten().map(|named| named.layer))
     }
 
-    /// The losses of names that a statement has to spell otherwise.
+    /// The losses of names that a statement must spell in another way.
     pub(super) fn losses(&self) -> impl Iterator<Item = Loss> + '_ {
         self.kinds.iter().zip(&KINDS).filter_map(|(names, kind)| {
             let mut pools: Vec<&[Vec<u8>]> = names.layers.iter().flatten().map(|named| named.pool).collect();
@@ -57,12 +57,13 @@ impl<'a> NameWriter<'a> {
             let other = pools.into_iter().flatten().filter(is_other).count();
             Loss::if_any(LossKind::Names, other, |n| {
                 let (names, are) = if n == 1 { ("name", "is") } else { ("names", "are") };
-                format!("{n} {names} of `{}` {are} spelled otherwise", kind.layer)
+                format!("{n} {names} of `{}` {are} spelled differently", kind.layer)
             })
         })
     }
 
-    /// Writes the statements that an element needs before it; `which` is the place of its kind among those that have names.
+    /// Writes the statements that an element needs before it. `which` is the place of its kind among those with
+    /// names.
     #[inline]
     pub(super) fn before(&mut self, which: usize, element: usize, sink: &mut Sink<'_>) {
         for (names, kind) in self.kinds.iter_mut().zip(&KINDS) {
@@ -85,7 +86,7 @@ impl NamesOfKind<'_> {
         self.current = next;
     }
 
-    /// Whether what holds at present is the name that an element of another kind has.
+    /// Whether the name that holds at present is that of an element of another kind.
     fn is_same(&self, next: Option<(usize, usize)>) -> bool {
         match (self.current, next) {
             (Some((one, value)), Some((other, next))) if one != other => {

@@ -1,7 +1,7 @@
-//! OFF whose numbers stand on lines in any way: several vertices or faces in one, all in one, or one over several.
+//! OFF files with any line breaks: several vertices or faces on a line, all on one line, or one across several lines.
 //!
-//! Only the colours of faces are bound to lines. Colours of vertices may have three or four numbers, and faces colours or
-//! none: each is tried, and an answer counts only if it uses up the file to the last word.
+//! Only colours of faces depend on lines. Colours of vertices may have three or four numbers, and faces may have
+//! colours or not. Each form is tried, and it is accepted only if it uses up the file to the last word.
 
 use crate::formats::off::letters::Columns;
 use crate::formats::off::reader::Reader;
@@ -19,10 +19,10 @@ enum FacePlacement {
     Anywhere,
 }
 
-/// The file across lines, if it comes out even in one of its forms.
+/// Reads a file across lines, if one of the forms uses it up.
 pub(super) fn read<'a>(source: &'a Source<'a>, limits: &'a Limits) -> Option<Reader<'a>> {
     let columns = Reader::new(source, limits).header().ok()?;
-    // Where vertices have no colours, it does not matter how many numbers those would have.
+    // Without colours of vertices, their width does not matter.
     let widths = if columns.color { &[4, 3][..] } else { &[0] };
     let forms = widths
         .iter()
@@ -30,7 +30,7 @@ pub(super) fn read<'a>(source: &'a Source<'a>, limits: &'a Limits) -> Option<Rea
     forms.into_iter().find_map(|(width, faces)| read_form(source, limits, width, faces))
 }
 
-/// The file, if it comes out even with so many numbers in the colour of a vertex.
+/// Reads a file with so many numbers in the colour of a vertex, if that uses the file up.
 fn read_form<'a>(
     source: &'a Source<'a>,
     limits: &'a Limits,

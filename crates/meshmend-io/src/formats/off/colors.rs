@@ -1,7 +1,7 @@
-//! Colours as OFF has them: nothing, an index into a map, three or four bytes, or as many fractions.
+//! Colours in OFF: none, an index into a map, three or four bytes, or three or four fractions.
 //!
-//! Programs print fractions as C++ streams do: `0.5 0 1`, so that only some have a point. One number with a point makes
-//! the colours of the file fractions, as far as they can be.
+//! Programs print fractions as C++ streams do, such as `0.5 0 1`, so only some numbers have a point. If one number of
+//! the file has a point, all colours that can be fractions are fractions.
 
 use meshmend_core::{Carry, Domain, Layer, NO_VALUE, Role, Values};
 
@@ -13,16 +13,16 @@ pub(super) struct Colors<'a> {
     texts: Vec<(u32, &'a [u8])>,
 }
 
-/// What the colours of some elements are, all of them alike.
+/// The kind of the colours of some elements. All of them have the same kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// Numbers that index a map.
+    /// Indices into a map.
     Indices,
     /// So many bytes each.
     Bytes(usize),
     /// So many fractions each.
     Fractions(usize),
-    /// Anything else: kept as the text that it is.
+    /// Anything else. It is kept as text.
     Other,
 }
 
@@ -43,8 +43,8 @@ impl<'a> Colors<'a> {
         self.texts().filter(is_color).flat_map(words).any(|word| fraction(word).is_some())
     }
 
-    /// The layer, or nothing when no element has a colour; `fractions_are_usual` where some colour of the file has a
-    /// point.
+    /// The layer, or `None` if no element has a colour. `fractions_are_usual` means that some number of a colour in
+    /// the file has a point.
     pub(super) fn layer(self, domain: Domain, elements: usize, fractions_are_usual: bool) -> Option<Layer> {
         if self.texts.is_empty() {
             return None;
@@ -73,7 +73,7 @@ impl<'a> Colors<'a> {
         Some(Layer::indexed(name, domain, width, carry, values, uses).with_role(role))
     }
 
-    /// How many colours have three numbers where others have four, which are given an opaque fourth one.
+    /// How many colours have three numbers while others have four. They get an opaque fourth number.
     pub(super) fn without_alpha_among_others(&self, fractions_are_usual: bool) -> u64 {
         match self.kind(fractions_are_usual) {
             Kind::Bytes(4) | Kind::Fractions(4) => {
@@ -87,7 +87,7 @@ impl<'a> Colors<'a> {
         self.texts.iter().map(|&(_, text)| text)
     }
 
-    /// All numbers, with an opaque fourth one where it is missing.
+    /// All numbers, with an opaque fourth number where it is missing.
     fn numbers<T: Copy>(&self, width: usize, number: impl Fn(&[u8]) -> Option<T>, opaque: T) -> Vec<T> {
         let mut numbers = Vec::with_capacity(self.texts.len() * width);
         for (text, end) in self.texts().zip((1..).map(|count| count * width)) {
@@ -104,7 +104,7 @@ impl<'a> Colors<'a> {
         }
         let most = self.texts().map(|text| words(text).count()).max().unwrap_or(0);
         let is_color = |text: &[u8]| matches!(words(text).count(), 3 | 4);
-        // A whole number beyond 1 is no fraction.
+        // A whole number above 1 can't be a fraction.
         let is_fraction =
             |word: &[u8]| fraction(word).is_some() || byte(word).is_some_and(|value| value <= 1);
         let are_fractions = all(&|text| is_color(text) && words(text).all(is_fraction));
@@ -118,7 +118,7 @@ impl<'a> Colors<'a> {
     }
 }
 
-/// The number of a text that is one.
+/// The whole number that a text is, if it is one.
 fn index(text: &[u8]) -> Option<i32> {
     let (value, length) = text::integer(text)?;
     i32::try_from(value).ok().filter(|_| length == text.len())

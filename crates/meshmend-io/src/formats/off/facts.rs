@@ -15,7 +15,7 @@ pub(crate) const FACTS: Facts = Facts {
     sniff: |head, _| sniff(head),
 };
 
-/// Whether a text surely is OFF: it begins with the word, and two numbers or `BINARY` follow.
+/// Whether a text is surely OFF: it begins with the word, and two numbers or `BINARY` follow.
 fn sniff<'a>(bytes: &'a [u8]) -> bool {
     let bytes = &bytes[text::text_start(bytes)..];
     let without_comment = |line: &'a [u8]| line.split(|&b| b == b'#').next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The start of an OFF file: the word with its letters, and the counts.
+//! Reading the start of an OFF file: the word with its letters, and the counts.
 
 use meshmend_core::counted;
 
@@ -8,7 +8,7 @@ use crate::text::{self, one_or_many};
 use crate::{NoteKind, ReadError};
 
 impl<'a> Reader<'a> {
-    /// Reads the word, if there is one, and says which columns its letters stand for.
+    /// Reads the word, if there is one, and returns the columns that its letters stand for.
     pub(super) fn header(&mut self) -> Result<Columns, ReadError> {
         self.next_line("the word `OFF`")?;
         let word = self.word();
@@ -40,7 +40,8 @@ impl<'a> Reader<'a> {
         Ok(columns)
     }
 
-    /// The numbers of vertices and faces, each on the header's line or the next one; that of edges may be missing.
+    /// The numbers of vertices and faces, on the line of the word or on later ones. The number of edges may be
+    /// missing.
     pub(super) fn counts(&mut self) -> Result<[usize; 2], ReadError> {
         let vertices = self.count_in_lines("vertices")?;
         let faces = self.count_in_lines("faces")?;
@@ -62,7 +63,7 @@ impl<'a> Reader<'a> {
         self.count(what)
     }
 
-    /// Passes over a number of edges with a line of its own, which no vertex is.
+    /// Skips a number of edges on a line of its own. A single number can't be a vertex.
     fn edge_count_of_next_line(&mut self, vertices: u64) {
         if vertices == 0 || !self.find_line() {
             return;
@@ -75,7 +76,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// An error unless so many vertices and faces can be there, and are within the limits.
+    /// An error if the file is too short for so many vertices and faces, or they exceed the limits.
     fn check_counts(&self, vertices: u64, faces: u64, at: usize) -> Result<[usize; 2], ReadError> {
         // The shortest vertex takes six bytes, the shortest face two; the last one needs no line end.
         let left = (self.bytes.len() - self.at) as u64;

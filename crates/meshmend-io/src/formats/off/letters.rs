@@ -1,6 +1,6 @@
 //! The letters before the word `OFF`, and what they stand for.
 
-/// What each vertex has beside its coordinates.
+/// The columns of vertices after their coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Columns {
     pub(super) texcoord: bool,
@@ -9,7 +9,7 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// The columns that the letters before `OFF` stand for; they may come in any order.
+    /// The columns that the letters before `OFF` stand for. Letters may come in any order.
     pub(super) fn of_letters(mut letters: &[u8]) -> Option<Columns> {
         let mut columns = Columns::default();
         while !letters.is_empty() {
@@ -28,7 +28,7 @@ impl Columns {
     }
 }
 
-/// The letters before `OFF` in a word, and the number that is glued to it.
+/// The letters before `OFF` in a word, and the digits that follow it.
 pub(super) fn letters_and_count(word: &[u8]) -> Option<(&[u8], &[u8])> {
     let at = word.windows(3).position(|window| window == b"OFF")?;
     let (letters, count) = (&word[..at], &word[at + 3..]);

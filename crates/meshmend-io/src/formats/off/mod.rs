@@ -7,18 +7,19 @@
 //! | with `C` in front | a colour too: vertex layer `color` |
 //! | with `ST` in front | a texture coordinate too: vertex layer `texcoord` |
 //!
-//! A texture coordinate is written only where there is neither normal nor colour, or the file was read so: many programs
-//! don't read such headers. Colours of vertices are written with four numbers, as some programs read no others.
+//! A texture coordinate is written only if there is neither normal nor colour, or if the input had it so: many
+//! programs don't read other headers. Colours of vertices are written with four numbers, as some programs read no
+//! others.
 //!
-//! What follows a face's indices is its colour: face layer `color`, or `color_index` where all are single numbers.
-//! Colours of three or four bytes each are kept as bytes; one number with a point makes the colours of the file
-//! fractions; any others are kept as the text that they are. `#` begins a comment, also at the end of a line; comments
-//! are metadata.
+//! The colour of a face follows its indices: face layer `color`, or `color_index` if all are single numbers. Colours
+//! of three or four bytes each are kept as bytes. If one number has a point, the colours of the file are fractions.
+//! All others are kept as text. `#` begins a comment, also at the end of a line; comments are metadata.
 //!
-//! **As it is written.** The word may be missing or have the first count glued to it, the number of edges may be missing,
-//! and colours may stand before normals, which is MeshLab's order and told by the values. Vertices and faces may stand on
-//! lines in any way, if the file then comes out even; only colours of faces are bound to lines. All of this is noted.
-//! Files of four or n dimensions, or binary, are errors; lines after the last face are skipped and noted.
+//! **What programs write.** The word may be missing, or the first count may follow it without a blank. The number of
+//! edges may be missing. Colours may stand before normals, which is the order of MeshLab and follows from the values.
+//! Line breaks may be anywhere between numbers if the file is used up so; only colours of faces depend on lines.
+//! Notes name all of this. Files of four or n dimensions and binary files are errors. Lines after the last face are
+//! skipped, with a note.
 
 mod across_lines;
 mod colors;

@@ -10,7 +10,8 @@ use crate::input::source::{Parsed, Source};
 use crate::text::{is_blank, is_line_end};
 use crate::{Encoding, Format, Limits, NoteKind, Place, ReadError, ReadErrorKind, Shell};
 
-/// Reads by lines, and where that leaves something over or missing, across lines if all comes out even so.
+/// Reads by lines. If that leaves something over or missing, reads across lines, and takes the result if it uses the
+/// file up.
 pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadError> {
     let by_lines = read_by_lines(source, limits);
     let is_sure = match &by_lines {
@@ -35,7 +36,7 @@ fn read_by_lines<'a>(source: &'a Source<'a>, limits: &'a Limits) -> Result<Reade
 }
 
 impl Reader<'_> {
-    /// The mesh, with the colours of all its vertices and faces.
+    /// The mesh, with the colours of its vertices and faces.
     fn finish(mut self) -> Result<Parsed, ReadError> {
         let has_fractions = self.vertex_colors.has_fractions() || self.face_colors.has_fractions();
         let counts = [self.parts.positions.len(), self.parts.faces.face_count()];
@@ -53,7 +54,7 @@ impl Reader<'_> {
         Ok(Parsed { mesh, notes, shell })
     }
 
-    /// Whether nothing stands before the next word in its line.
+    /// Whether the next word is the first of its line.
     fn begins_line(&mut self) -> bool {
         let before = &self.bytes[..self.at];
         let is_first = before.iter().rev().find(|&&b| !is_blank(b)).is_none_or(|&b| is_line_end(b));

@@ -18,7 +18,7 @@ pub(super) struct Reader<'a> {
     pub(super) letters: &'a [u8],
     pub(super) vertex_colors: Colors<'a>,
     pub(super) face_colors: Colors<'a>,
-    /// Whether nothing was left over.
+    /// Whether all numbers so far have been used.
     pub(super) is_even: bool,
 }
 
@@ -38,7 +38,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Notes something about what comes next.
+    /// Adds a note at the current place.
     pub(super) fn note(&mut self, kind: NoteKind, message: &str) {
         let (source, at) = (self.source, self.at);
         self.is_even &= !matches!(kind, NoteKind::SurplusColumns | NoteKind::SurplusData);
@@ -56,7 +56,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The rest of the line, apart from its last two words if those are a texture coordinate.
+    /// The rest of the line as a colour, without its last two words if those are a texture coordinate.
     pub(super) fn color(&mut self, texcoord_follows: bool) -> &'a [u8] {
         let rest = self.rest();
         let last_word = |bytes: &[u8]| {
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
         self.end_line();
     }
 
-    /// Skips what is left of a line, and notes it.
+    /// Skips the rest of a line, with a note.
     pub(super) fn note_surplus(&mut self, message: &str) {
         self.note(NoteKind::SurplusColumns, message);
         self.end_line();
@@ -88,7 +88,7 @@ impl<'a> Reader<'a> {
         match text::integer(&self.bytes[self.at..]) {
             Some((index, length)) if self.ends_after(length) => {
                 let Ok(vertex) = u32::try_from(index) else {
-                    return Err(self.wrong(self.at, &format!("{index} is no index of a vertex")));
+                    return Err(self.wrong(self.at, &format!("{index} is not the index of a vertex")));
                 };
                 self.parts.max_index.see(vertex, self.at);
                 self.parts.faces.push_corner(VertexId(vertex));
@@ -120,8 +120,8 @@ impl<'a> Reader<'a> {
             .malformed(Place::Byte(self.bytes.len() as u64), format!("the file ends where {what} belongs")))
     }
 
-    /// Whether a line begins before this byte, keeping the comments before it. At the end of the text one does: it is
-    /// what comes next, and is missing.
+    /// Whether a line begins before this byte. Comments before it are kept. At the end of the text the answer is yes:
+    /// the line is missing, which its reader will say.
     pub(super) fn line_begins_before(&mut self, end: usize) -> bool {
         while self.at < end {
             match self.bytes.get(self.at) {
@@ -133,7 +133,7 @@ impl<'a> Reader<'a> {
         self.at == self.bytes.len()
     }
 
-    /// Goes to the first word of the next line that has one, keeping comments; says whether there is one.
+    /// Goes to the next word, also on later lines, and returns whether there is one. Comments are kept.
     #[inline]
     pub(super) fn find_line(&mut self) -> bool {
         while let Some(&byte) = self.bytes.get(self.at) {
@@ -161,7 +161,7 @@ impl<'a> Reader<'a> {
         &rest[..end]
     }
 
-    /// Goes to the end of the line, or to the comment at its end, which is kept with what comes next.
+    /// Goes to the end of the line, or to the comment at its end, which is kept later.
     #[inline]
     pub(super) fn end_line(&mut self) {
         self.at += self.rest().len();

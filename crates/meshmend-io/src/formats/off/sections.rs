@@ -1,4 +1,4 @@
-//! The two sections of an OFF file: its vertices, and its faces. Lines without anything beside coordinates or indices are
+//! The two sections of an OFF file: its vertices, and its faces. Lines that have only coordinates or indices are
 //! parsed ahead.
 
 use meshmend_core::counted;
@@ -17,7 +17,7 @@ pub(super) fn read_vertices(
     columns: Columns,
 ) -> Result<(), ReadError> {
     reader.parts.positions.reserve_exact(count);
-    // Three numbers are a vertex only where it has nothing beside them.
+    // Three numbers are a whole vertex only if the header announces no other columns.
     let pace = if columns == Columns::default() { reader.source.pace } else { Pace::NONE };
     let text = reader.bytes;
     let mut section = VertexSection { reader, count, columns, attributes: VertexAttributes::default() };
@@ -100,7 +100,7 @@ impl FaceSection<'_, '_> {
         let start = reader.at;
         let degree = reader.count("corners")?;
         let (face, corners) = (reader.parts.faces.face_count(), reader.parts.faces.corner_count() as u64);
-        // An index takes a blank and a digit: more corners than half the bytes that are left can't be there.
+        // An index takes a blank and a digit, so there are at most half as many corners as bytes.
         if degree > ((reader.bytes.len() - reader.at) / 2) as u64 {
             let reason = format!("a face of {} does not fit its line", counted(degree, "corner"));
             return Err(reader.wrong(start, &reason));

@@ -6,7 +6,7 @@ use crate::input::indices::MaxIndex;
 use crate::text::speculative_parse::UsualRows;
 use crate::text::usual_line::UsualLine;
 
-/// Vertices without anything beside their coordinates.
+/// Vertices that have only coordinates.
 #[derive(Default)]
 pub(super) struct UsualVertices {
     pub(super) positions: Vec<[f64; 3]>,

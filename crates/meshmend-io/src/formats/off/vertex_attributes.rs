@@ -1,8 +1,8 @@
-//! What vertices have beside their coordinates, and in which order.
+//! The attributes of vertices, and their order.
 //!
-//! The format has normals before colours. MeshLab writes colours first, under the same letters. Which order a file has is
-//! told by its values. MeshLab's normals are sums weighted by angles, and need not be of unit length: a number beyond a
-//! full turn is no part of a normal, nor is one below 0 part of a colour.
+//! The format has normals before colours. MeshLab writes colours first, under the same letters. The values decide
+//! which order a file has. The normals of MeshLab are sums weighted by angles, so they need not have unit length. But
+//! a number beyond a full turn can't belong to a normal, and one below 0 can't belong to a colour.
 
 use std::f64::consts::TAU;
 
@@ -19,12 +19,12 @@ use crate::text::{self, words};
 pub(super) struct VertexAttributes<'a> {
     pub(super) normals: Vec<f64>,
     pub(super) texcoords: Vec<f64>,
-    /// Where there are both normals and colours, the texts of both together.
+    /// The texts of normal and colour together, if vertices have both.
     pairs: Vec<&'a [u8]>,
 }
 
 impl<'a> VertexAttributes<'a> {
-    /// Keeps the colour of a vertex; `start` is where its normal begins, if it has one.
+    /// Keeps the colour of a vertex. `start` is where its normal begins, if it has one.
     pub(super) fn add_color(
         &mut self,
         reader: &mut Reader<'a>,
@@ -39,7 +39,7 @@ impl<'a> VertexAttributes<'a> {
         }
     }
 
-    /// Hands the layers over.
+    /// Adds the layers to the parts of the reader.
     pub(super) fn finish(mut self, columns: Columns, reader: &mut Reader<'a>) {
         if columns.normal && columns.color && has_colors_first(&self.pairs) {
             reader.note(NoteKind::ColumnOrder, "colours stand before normals, as MeshLab writes them");
@@ -62,8 +62,7 @@ impl<'a> VertexAttributes<'a> {
     }
 }
 
-/// Whether texts of a normal and a colour have the colour first: the numbers can't be read in the order of the format,
-/// and can in the other.
+/// Whether the colours come first: the numbers make sense in that order, but not in the order of the format.
 fn has_colors_first(pairs: &[&[u8]]) -> bool {
     let is_pair =
         |pair: &&[u8]| matches!(words(pair).count(), 6 | 7) && numbers(pair).count() == words(pair).count();
@@ -80,9 +79,9 @@ fn has_colors_first(pairs: &[&[u8]]) -> bool {
     colors_first.has_normals && colors_first.has_colors && (is_wrong || is_empty)
 }
 
-/// What an order of the columns would mean.
+/// What an order of the columns would mean for the values.
 struct Order {
-    /// Whether no number of a normal is beyond what angles add up to.
+    /// Whether every number of a normal is within a full turn.
     has_normals: bool,
     has_zeros_alone: bool,
     has_units_alone: bool,
@@ -97,7 +96,7 @@ impl Order {
         let mut order =
             Order { has_normals: true, has_zeros_alone: true, has_units_alone: true, has_colors: true };
         for (normal, color) in rows {
-            // What is not finite is neither.
+            // A number that is not finite decides nothing.
             order.has_normals &= !numbers(normal).any(|x| x.abs() > TAU + SLACK);
             order.has_zeros_alone &= numbers(normal).all(|x| x == 0.0);
             let square: f64 = numbers(normal).map(|x| x * x).sum();

@@ -14,7 +14,7 @@ use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 
 /// Which layers are written.
 struct Plan<'a> {
-    /// The letters of the header of the file that was read.
+    /// The letters in the header of the input.
     letters: &'a [u8],
     normal: Option<&'a Layer>,
     texcoord: Option<&'a Layer>,
@@ -22,7 +22,7 @@ struct Plan<'a> {
     face_color: Option<&'a Layer>,
 }
 
-/// Normals, colours and texture coordinates are written with the vertices.
+/// Moves normals, colours and texture coordinates to the vertices, with which they are written.
 pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
     prepared.split_seams(|layer| match layer.name() {
         "normal" => is_numeric(layer) && layer.width() == 3,
@@ -91,7 +91,7 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
 impl<'a> Plan<'a> {
     fn of(prepared: &'a Prepared) -> Self {
         let mesh = &prepared.mesh;
-        // Letters in the header promise columns; without a vertex there is none to tell their kind by.
+        // Letters in the header promise columns. Without a vertex a reader could not see their kind.
         let on_vertices = |name, is_wanted: &dyn Fn(&Layer) -> bool| {
             layer_of(mesh, name, Domain::Vertex, is_wanted).filter(|_| mesh.counts().vertices > 0)
         };
@@ -101,7 +101,7 @@ impl<'a> Plan<'a> {
             Some(OffShape { letters }) => letters,
             _ => &[][..],
         };
-        // Headers that join `ST` with other letters are legal, but many programs don't read them.
+        // Headers with `ST` and other letters are valid, but many programs don't read them.
         let is_alone = normal.is_none() && vertex_color.is_none();
         let is_as_read = letters.starts_with(b"ST") || letters.ends_with(b"ST");
         let texcoord = vertex("texcoord", 2).filter(|_| is_alone || is_as_read);
@@ -110,7 +110,7 @@ impl<'a> Plan<'a> {
         Plan { letters, normal, texcoord, vertex_color, face_color }
     }
 
-    /// The letters of the file that was read, where they still fit.
+    /// The header: with the letters of the input, if they still fit.
     fn header(&self) -> String {
         let letters = [(self.texcoord, "ST"), (self.vertex_color, "C"), (self.normal, "N")];
         let letters = letters.iter().filter(|(layer, _)| layer.is_some()).map(|(_, letters)| *letters);
@@ -132,7 +132,7 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Bytes, fractions, or text that is a line's worth of words.
+/// Bytes, fractions, or texts that fit a line.
 fn is_color(layer: &Layer) -> bool {
     match layer.values() {
         Values::U8(_) => (3..=4).contains(&layer.width()),
@@ -149,7 +149,7 @@ fn is_index(layer: &Layer) -> bool {
     matches!(layer.values(), Values::I32(_)) && layer.width() == 1
 }
 
-/// The numbers of a value; NaN where there is none.
+/// The numbers of a value, or NaN if there is none.
 fn numbers(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
     let Some(layer) = layer else { return };
     let (width, value) = (layer.width(), layer.value_of(element));
@@ -158,7 +158,7 @@ fn numbers(layer: Option<&Layer>, element: usize, sink: &mut Sink<'_>) {
     }
 }
 
-/// A colour of so many numbers at least, in which whole fractions have a point that tells them from bytes.
+/// A colour of so many numbers at least. Fractions that are whole get a point, so that they are not read as bytes.
 fn color(layer: Option<&Layer>, element: usize, least: usize, sink: &mut Sink<'_>) {
     let Some((layer, value)) = layer.and_then(|layer| Some((layer, layer.value_of(element)?))) else {
         return;

@@ -19,7 +19,7 @@ pub(super) struct BinaryValues<'a, const BIG: bool> {
 }
 
 impl<'a, const BIG: bool> BinaryValues<'a, BIG> {
-    /// The values from a place on, of which `rest` gives the bytes that the source does not hold.
+    /// The values from a place on. Bytes that the source does not hold come from `rest`.
     pub(super) fn new(source: &'a Source<'a>, at: usize, rest: &'a mut dyn Read) -> Self {
         BinaryValues { source, blocks: BlockReader::new(source, at, rest) }
     }
@@ -31,7 +31,7 @@ impl<'a, const BIG: bool> BinaryValues<'a, BIG> {
     }
 }
 
-/// Why so many bytes at a place can't be given.
+/// The error when so many bytes at a place can't be read.
 #[cold]
 fn failed(source: &Source<'_>, at: usize, length: usize, error: io::Error) -> ReadError {
     if length > source.length - at { cut(source, at, "a value") } else { source.failed(error) }
@@ -135,7 +135,7 @@ impl<const BIG: bool> Data for BinaryValues<'_, BIG> {
         Ok(true)
     }
 
-    /// The rows must be able to be there at all.
+    /// An error if the rest of the file is too short for the rows.
     fn begin_element(&mut self, element: &Element) -> Result<(), ReadError> {
         let least: usize = element.properties.iter().map(|p| p.length.unwrap_or(p.item).size()).sum();
         let what = format!("{} of element `{}`", counted(element.count, "row"), element.name);
@@ -193,7 +193,7 @@ impl FixedRows<'_> {
         }
     }
 
-    /// Appends something of each row; the first block makes room for all.
+    /// Appends a value of each row. The first block makes room for all rows.
     fn append<T>(&self, values: &mut Vec<T>, of_row: impl Fn(&[u8]) -> T) {
         if values.is_empty() {
             values.reserve_exact(self.in_all);

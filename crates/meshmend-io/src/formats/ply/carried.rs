@@ -1,11 +1,11 @@
-//! Elements that are not understood: their rows are carried as they are, or passed over.
+//! Elements of unknown meaning: their rows are carried as they are, or skipped.
 
 use crate::ReadError;
 use crate::formats::ply::columns::{Columns, skip_property};
 use crate::formats::ply::data::{Data, RowReader};
 use crate::formats::ply::header::Element;
 
-/// All rows of an element.
+/// Reads all rows of an element.
 pub(super) fn of_rows(element: &Element, data: &mut impl Data) -> Result<Columns, ReadError> {
     let mut columns = Columns::new(element);
     if element.properties.is_empty() {
@@ -23,7 +23,7 @@ pub(super) fn of_rows(element: &Element, data: &mut impl Data) -> Result<Columns
     Ok(columns)
 }
 
-/// Passes over the rows of an element.
+/// Skips the rows of an element.
 pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
     if element.properties.is_empty() || data.fixed_rows(element, |_| ())? {
         return Ok(());
@@ -31,7 +31,7 @@ pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadEr
     data.each_row(element, None, &mut RowSkipper(element))
 }
 
-/// Passes over rows.
+/// Skips rows.
 struct RowSkipper<'r>(&'r Element);
 
 impl RowReader for RowSkipper<'_> {

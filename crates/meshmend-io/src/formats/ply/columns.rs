@@ -6,9 +6,9 @@ use crate::ReadError;
 use crate::formats::ply::data::Data;
 use crate::formats::ply::header::{Element, Property};
 
-/// The values of the columns of an element, apart from the one that is read in another way.
+/// The values of the columns of an element.
 pub(super) struct Columns {
-    /// As many as there are properties; empty ones where nothing is kept.
+    /// As many as there are properties. A column that is read in another way is empty.
     pub(super) values: Vec<Values>,
 }
 
@@ -43,7 +43,7 @@ impl Columns {
         }
     }
 
-    /// Appends rows of numbers, all of them to columns that hold numbers, in the order of the columns.
+    /// Appends rows of numbers to columns of numbers, in the order of the columns.
     pub(super) fn append(&mut self, columns: impl Iterator<Item = usize> + Clone, rows: &[f64]) {
         let width = columns.clone().count();
         for (offset, column) in columns.enumerate() {
@@ -52,7 +52,7 @@ impl Columns {
     }
 }
 
-/// Appends numbers that are all of the values' type.
+/// Appends numbers, all of which have the type of the values.
 fn extend(values: &mut Values, numbers: impl Iterator<Item = f64>) {
     match values {
         Values::I8(v) => v.extend(numbers.map(|x| x as i8)),
@@ -68,7 +68,7 @@ fn extend(values: &mut Values, numbers: impl Iterator<Item = f64>) {
 }
 
 impl Columns {
-    /// A layer a column, in which each row has its own value.
+    /// One layer for each column. Each row has its own value.
     pub(super) fn into_layers(self, element: &Element) -> Vec<Layer> {
         let columns = self.values.into_iter().zip(&element.properties);
         let layer = |(values, property): (Values, &Property)| {
@@ -78,7 +78,7 @@ impl Columns {
     }
 }
 
-/// Passes over the next value or list.
+/// Skips the next value or list.
 pub(super) fn skip_property(property: &Property, data: &mut impl Data) -> Result<(), ReadError> {
     let count = match property.length {
         None => 1,

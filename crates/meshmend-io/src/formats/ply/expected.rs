@@ -1,7 +1,7 @@
 //! Values in the types that other programs expect in a PLY: `float` normals and texture coordinates, `uchar` colours.
 //!
-//! Measured: MeshLab reads no texture coordinates from lists of `double` nor from `double s t`, and no colours but bytes; VTK
-//! reads bytes alone and shows any other colour as black. A file that was a PLY keeps its types.
+//! As measured, MeshLab reads texture coordinates neither from lists of `double` nor from `double s t`, and only
+//! bytes as colours. VTK shows any colour but bytes as black. What was read from PLY keeps its types.
 
 use meshmend_core::{DraftError, Layer, Role, Values, counted};
 
@@ -9,8 +9,8 @@ use crate::formats::ply::shape::PlyShape;
 use crate::output::layer_losses::elements;
 use crate::{AttributePrecision, Loss, LossKind, Prepared, WriteErrorKind};
 
-/// Which layers are to be as other programs expect them: doubles, which is what text formats give, of a known role, unless the
-/// file that the mesh comes from declares them so.
+/// Which layers are to be converted: doubles, as text formats have them, in a known role, unless the file that the
+/// mesh comes from declares them as doubles.
 pub(super) fn to_be_expected(prepared: &Prepared) -> Vec<bool> {
     let shape = prepared.shape::<PlyShape>();
     let is_declared = |layer: &Layer| shape.is_some_and(|shape| shape.declares(layer));
@@ -22,7 +22,7 @@ pub(super) fn to_be_expected(prepared: &Prepared) -> Vec<bool> {
     prepared.mesh.layers().iter().map(is_known).collect()
 }
 
-/// Gives layers the types that other programs expect, and names what is rounded.
+/// Converts layers to the types that other programs expect, and names what is rounded.
 ///
 /// *Cost*: linear in the pools of the layers concerned; O(1) without any.
 pub(super) fn as_expected(prepared: &mut Prepared, is_concerned: &[bool]) -> Result<(), WriteErrorKind> {
@@ -43,7 +43,7 @@ pub(super) fn as_expected(prepared: &mut Prepared, is_concerned: &[bool]) -> Res
     Ok(())
 }
 
-/// Texture coordinates of three numbers, the third of which is always 0, as two numbers: other programs read no more.
+/// Texture coordinates of three numbers as two numbers if the third is always 0, as other programs read only two.
 fn two_numbers(layer: Layer, losses: &mut Vec<Loss>) -> Layer {
     let Values::F64(values) = layer.values() else { return layer };
     if layer.width() != 3 || values.chunks_exact(3).any(|value| value[2] != 0.0) {
@@ -57,7 +57,7 @@ fn two_numbers(layer: Layer, losses: &mut Vec<Loss>) -> Layer {
     layer.with_pool(2, Values::F64(narrow))
 }
 
-/// Doubles in single precision, unless one of them is beyond it.
+/// Doubles in single precision, unless one of them is out of its range.
 fn in_single(layer: Layer, losses: &mut Vec<Loss>) -> Layer {
     let Values::F64(values) = layer.values() else { return layer };
     let single: Vec<f32> = values.iter().map(|&x| x as f32).collect();
@@ -74,7 +74,7 @@ fn in_single(layer: Layer, losses: &mut Vec<Loss>) -> Layer {
     layer.with_pool(width, Values::F32(single))
 }
 
-/// Fractions that come from bytes, as bytes. Nothing if one of them does not.
+/// Fractions that come from bytes, as bytes. Returns `None` if one of them does not come from a byte.
 fn as_bytes(layer: &Layer, losses: &mut Vec<Loss>) -> Option<Layer> {
     let Values::F64(fractions) = layer.values() else { return None };
     let bytes: Vec<u8> = fractions.iter().map(|&x| byte(x)).collect::<Option<_>>()?;
@@ -94,7 +94,7 @@ fn as_bytes(layer: &Layer, losses: &mut Vec<Loss>) -> Option<Layer> {
     Some(layer.clone().with_pool(width, Values::U8(bytes)))
 }
 
-/// The byte that a fraction comes from: n / 255, also as printed with six decimals, or n / 256.
+/// The byte n that a fraction comes from: n / 255, exact or printed with six decimals, or n / 256.
 fn byte(x: f64) -> Option<u8> {
     if !(0.0..=1.0).contains(&x) {
         return None;

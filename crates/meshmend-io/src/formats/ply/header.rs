@@ -1,4 +1,4 @@
-//! The header: which elements there are, with which properties, and where their values begin.
+//! Reading the header: the elements, their properties, and where the values begin.
 
 use crate::formats::ply::property_names::KNOWN_ELEMENTS;
 use crate::formats::ply::scalar::Scalar;
@@ -8,7 +8,7 @@ use crate::limits::DECLARATIONS;
 use crate::text::{self, comment_text, shown};
 use crate::{Limits, Place, ReadError};
 
-/// How the values are spelled.
+/// The encoding of the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     Ascii,
@@ -16,7 +16,7 @@ pub(super) enum Form {
     BigEndian,
 }
 
-/// A kind of element: so many rows of these properties.
+/// An element: rows of these properties.
 pub(super) struct Element {
     pub(super) name: String,
     pub(super) count: u64,
@@ -25,7 +25,7 @@ pub(super) struct Element {
     pub(super) at: usize,
 }
 
-/// A property: a number, or a list of numbers with its length in front.
+/// A property: a number, or a list of numbers after its length.
 pub(super) struct Property {
     pub(super) name: String,
     pub(super) length: Option<Scalar>,
@@ -39,14 +39,14 @@ pub(super) struct Header {
     pub(super) end: usize,
 }
 
-/// Reads the header; comments go to the metadata of the parts.
+/// Reads the header. Comments become metadata of the parts.
 pub(super) fn read(source: &Source<'_>, parts: &mut Parts, limits: &Limits) -> Result<Header, ReadError> {
     let mut reader = HeaderReader { source, form: None, elements: Vec::new(), declarations: 0 };
     let (first, mut at) = next_line(source.bytes, 0, true);
     if text::trimmed(first) != b"ply" {
         return Err(source.malformed(Place::Line(1), "a PLY file begins with the line `ply`"));
     }
-    // A lone CR as line end must not take the first byte of binary values for the LF of a pair.
+    // After a lone CR, the first byte of binary values must not be taken for the LF of a pair.
     let ends_with_pair = source.bytes.get(at.wrapping_sub(1)) == Some(&b'\n');
     while at < source.bytes.len() {
         let start = at;
@@ -91,7 +91,9 @@ impl HeaderReader<'_> {
             [b"element", name, count] => self.element(name, count, at),
             [b"property", b"list", length, item, name] => self.property(Some(length), item, name, at),
             [b"property", item, name] => self.property(None, item, name, at),
-            _ => Err(self.wrong(at, format!("`{}` is no statement of a header", shown(&words.join(&b' '))))),
+            _ => {
+                Err(self.wrong(at, format!("`{}` is not a statement of a header", shown(&words.join(&b' ')))))
+            }
         }
     }
 
@@ -100,7 +102,7 @@ impl HeaderReader<'_> {
             b"ascii" => Form::Ascii,
             b"binary_little_endian" => Form::LittleEndian,
             b"binary_big_endian" => Form::BigEndian,
-            _ => return Err(self.wrong(at, format!("`{}` is no known format", shown(form)))),
+            _ => return Err(self.wrong(at, format!("`{}` is not a known format", shown(form)))),
         };
         match self.form.replace(known) {
             None => Ok(()),
@@ -111,7 +113,7 @@ impl HeaderReader<'_> {
     fn element(&mut self, name: &[u8], count: &[u8], at: usize) -> Result<(), ReadError> {
         let whole = text::digits(count).filter(|&(value, length)| length == count.len() && value < u64::MAX);
         let Some((count, _)) = whole else {
-            return Err(self.wrong(at, format!("`{}` is no number of elements", shown(count))));
+            return Err(self.wrong(at, format!("`{}` is not a number of elements", shown(count))));
         };
         let name = String::from_utf8_lossy(name).into_owned();
         let is_known = KNOWN_ELEMENTS.contains(&name.as_str());
@@ -131,7 +133,7 @@ impl HeaderReader<'_> {
         at: usize,
     ) -> Result<(), ReadError> {
         let scalar = |name: &[u8]| {
-            Scalar::from_name(name).ok_or_else(|| self.wrong(at, format!("`{}` is no type", shown(name))))
+            Scalar::from_name(name).ok_or_else(|| self.wrong(at, format!("`{}` is not a type", shown(name))))
         };
         let (length, item) = (length.map(scalar).transpose()?, scalar(item)?);
         let name = String::from_utf8_lossy(name).into_owned();

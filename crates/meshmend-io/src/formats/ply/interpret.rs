@@ -1,4 +1,4 @@
-//! What the columns of vertices and faces mean as attribute layers.
+//! Columns of vertices, faces and edges become attribute layers.
 
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values};
 
@@ -9,18 +9,19 @@ use crate::formats::ply::property_names::{CORNER_PREFIX, GROUPS, Group, PROPERTY
 use crate::formats::ply::scalar::Scalar;
 use crate::input::assemble::Parts;
 
-/// The list of a face that is a corner layer without saying so by its name.
+/// The list of faces that is a corner layer though its name does not begin so.
 const TEXCOORD: &str = "texcoord";
 
-/// The rows of an element that became vertices or faces.
+/// The rows of an element that became vertices, faces or edges.
 pub(super) struct ElementRows<'a> {
     pub(super) element: &'a Element,
     pub(super) columns: Columns,
-    /// Which columns are no layers, or in one already.
+    /// Which columns are not layers, or belong to a layer already.
     pub(super) is_taken: Vec<bool>,
-    /// Which face the first row is.
+    /// The face that the first row became.
     pub(super) first: usize,
-    /// Where each row's corners begin, and one more; for faces only.
+    /// Where the corners of each row begin, and where those of the last row end. It is empty if no list can belong to
+    /// corners.
     pub(super) corner_starts: Vec<u32>,
 }
 
@@ -32,7 +33,7 @@ pub(super) fn edge_layers(rows: ElementRows<'_>, parts: &mut Parts) {
     direct_layers(rows, Domain::LooseEdge, parts);
 }
 
-/// Layers in which each row has its own value.
+/// Adds layers in which each row has its own value.
 fn direct_layers(mut rows: ElementRows<'_>, domain: Domain, parts: &mut Parts) {
     for column in 0..rows.element.properties.len() {
         if let Some((name, width, values)) = rows.next_layer(column, domain, parts) {
@@ -70,7 +71,8 @@ fn carry(values: &Values) -> Carry {
 }
 
 impl ElementRows<'_> {
-    /// The layer that begins with a column: name, width and values; nothing when it is in a layer already.
+    /// The layer that begins with a column: name, width and values. Returns `None` if the column belongs to a layer
+    /// already.
     fn next_layer(
         &mut self,
         column: usize,
@@ -80,8 +82,8 @@ impl ElementRows<'_> {
         if self.is_taken[column] {
             return None;
         }
-        // Two layers of one name could not be told apart: then the numbers stay single, under their own names.
-        // Few names belong to a group, so that all properties are looked through for few of them.
+        // Two layers of one name would be ambiguous: then the numbers stay single, under their own names. Only few
+        // names belong to a group, so all properties are searched for few of them.
         let name = self.element.properties[column].name.as_str();
         let mut groups = GROUPS.iter().filter(|group| {
             group.members.contains(&name)
@@ -106,14 +108,14 @@ impl ElementRows<'_> {
         Some((group.layer.to_owned(), members.len(), interleaved(&columns)))
     }
 
-    /// Whether a property of this name is a layer of this domain.
+    /// Whether a property of this name becomes a layer of this domain.
     fn has_property(&self, name: &str, domain: Domain) -> bool {
         let mut columns =
             self.element.properties.iter().zip(0..).filter(|(property, _)| property.name == name);
         columns.any(|(_, column)| domain != Domain::Face || self.corner_list(column).is_none())
     }
 
-    /// The columns of a group to which this one belongs, if all are there, free, and of one type.
+    /// The columns of a group to which this column belongs, if all exist, are free, and have one type.
     fn members(&self, group: &Group, column: usize) -> Option<Vec<usize>> {
         let properties = &self.element.properties;
         let first = &properties[column];
@@ -127,10 +129,10 @@ impl ElementRows<'_> {
         members.iter().all(|member| !self.is_taken[*member]).then_some(members)
     }
 
-    /// The corner layer that a list property of faces is, if there is none of its name yet.
+    /// The corner layer of a list property of faces, if no other one has its name.
     fn corner_layer(&mut self, column: usize, parts: &Parts) -> Option<Layer> {
         let (name, width) = self.corner_list(column)?;
-        // Properties have different names; only this one can be spelled in two ways.
+        // Names of properties differ, but this layer can come from two names.
         let may_be_there = name == TEXCOORD;
         if self.is_taken[column] || (may_be_there && has_layer(parts, name, Domain::Corner)) {
             return None;
@@ -147,8 +149,7 @@ impl ElementRows<'_> {
         })
     }
 
-    /// The name and width of the corner layer that a list property of faces can be, if its name says so and its lengths
-    /// fit.
+    /// The name and width of the corner layer of a list property of faces, if it has such a name and its lengths fit.
     fn corner_list(&self, column: usize) -> Option<(&str, usize)> {
         let property = &self.element.properties[column];
         let is_texcoord = property.name == TEXCOORD;
@@ -166,7 +167,7 @@ fn has_layer(parts: &Parts, name: &str, domain: Domain) -> bool {
     parts.layers.iter().any(|layer| layer.name() == name && layer.domain() == domain)
 }
 
-/// How many numbers each corner has, if all lists have as many a corner, or are empty.
+/// How many numbers each corner has, if that is the same in all lists that are not empty.
 fn corner_width(starts: &[u32], corner_starts: &[u32]) -> Option<usize> {
     let lengths = starts.windows(2).map(|pair| pair[1] - pair[0]);
     let degrees = corner_starts.windows(2).map(|pair| pair[1] - pair[0]);
@@ -177,7 +178,7 @@ fn corner_width(starts: &[u32], corner_starts: &[u32]) -> Option<usize> {
         .then_some(width as usize)
 }
 
-/// Which value each corner uses, or nothing when corner `i` uses value `i`.
+/// Which value each corner uses. Returns `None` if corner `i` uses value `i`.
 fn corner_uses(starts: &[u32], corner_starts: &[u32], corners: usize) -> Option<Vec<u32>> {
     let mut uses = vec![NO_VALUE; corners];
     let mut next = 0;

@@ -1,16 +1,16 @@
-//! How layers of several numbers are spread over properties, and put together again.
+//! Layers of several numbers, spread over properties and put together again.
 
 use meshmend_core::Values;
 
 use crate::formats::ply::property_names::{GROUPS, Group};
 
-/// Whether a group has the names that its layer gets when nothing is said of its names.
+/// Whether a group has the default names of its layer.
 pub(super) fn is_usual(group: &Group) -> bool {
     let width = group.members.len();
     usual(group.layer, width).is_some_and(|usual| usual.members == group.members)
 }
 
-/// The group that a layer of some name and width is written as.
+/// The group in which a layer of some name and width is written by default.
 pub(super) fn usual(layer: &str, width: usize) -> Option<&'static Group> {
     GROUPS.iter().find(|group| group.layer == layer && group.members.len() == width)
 }

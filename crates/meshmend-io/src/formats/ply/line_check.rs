@@ -1,9 +1,9 @@
-//! Whether the rows of a text stand on lines of their own.
+//! Whether each row of a text stands on its own line.
 //!
-//! Text PLY is words, wherever its lines end; but a row with a number too many or too few shifts all values after it, and
-//! lines are the only witness of that. So a file whose rows do not stand on a line each is accepted only if it comes out
-//! even: each element ends at the end of a line, or shares that line with whole elements alone, and nothing is left at
-//! the end of the file.
+//! Text PLY consists of words, wherever its lines end. But a row with a number too many or too few shifts all values
+//! after it, and only the lines show that. So a file with other line breaks is accepted only if all values fit: each
+//! element ends at the end of a line, or shares that line with whole elements only, and no value is left at the end
+//! of the file.
 
 use meshmend_core::counted;
 
@@ -12,24 +12,24 @@ use crate::input::source::Source;
 use crate::text::{self, is_blank, is_line_end, one_or_many};
 use crate::{ReadError, ReadErrorKind};
 
-/// What is known of the rows so far.
+/// The rows so far, compared with the lines.
 pub(super) struct LineCheck<'a> {
     source: &'a Source<'a>,
     first: Option<OddRow>,
     odd_rows: u64,
-    /// Where the values of the present element begin.
+    /// Where the values of the current element begin.
     element_start: usize,
     /// Whether the last element ended in the middle of a line.
     is_within_line: bool,
 }
 
-/// A row that does not stand on a line of its own.
+/// A row that does not stand on its own line.
 pub(super) struct OddRow {
     /// Where it begins.
     pub(super) at: usize,
-    /// How many values its line holds, how many it announces, and whose row it is.
+    /// The values of its line, the values that it announces, and its element.
     reason: String,
-    /// Whether it announces more values than its line holds.
+    /// Whether it announces more values than its line has.
     is_short: bool,
 }
 
@@ -38,7 +38,7 @@ impl<'a> LineCheck<'a> {
         LineCheck { source, first: None, odd_rows: 0, element_start: 0, is_within_line: false }
     }
 
-    /// The first row that does not stand on a line of its own, and how many such rows there are.
+    /// The first row that does not stand on its own line, and the number of such rows.
     pub(super) fn odd_rows(&self) -> Option<(usize, u64)> {
         self.first.as_ref().map(|first| (first.at, self.odd_rows))
     }
@@ -47,7 +47,7 @@ impl<'a> LineCheck<'a> {
         self.element_start = text::skip_space(self.source.bytes, at, self.source.bytes.len());
     }
 
-    /// Looks at the lines of a row that has been read.
+    /// Checks the lines of a row that has been read.
     #[inline]
     pub(super) fn end_row(&mut self, element: &Element, row: u64, start: usize, end: usize) {
         let bytes = self.source.bytes;
@@ -66,7 +66,7 @@ impl<'a> LineCheck<'a> {
         }
     }
 
-    /// An error unless an element that has been read comes out even.
+    /// An error if an element does not end where it may end.
     pub(super) fn end_element(&mut self, element: &Element, end: usize) -> Result<(), ReadError> {
         let Some(first) = &self.first else { return Ok(()) };
         let bytes = self.source.bytes;
@@ -86,7 +86,7 @@ impl<'a> LineCheck<'a> {
         Ok(())
     }
 
-    /// An error if values are left at the end of a file whose rows do not stand on lines of their own.
+    /// An error if values are left at the end of a file whose rows do not stand on their own lines.
     pub(super) fn end_file(&self, end: usize) -> Result<(), ReadError> {
         let Some(first) = &self.first else { return Ok(()) };
         match text::words(&self.source.bytes[end..]).count() {
@@ -99,7 +99,7 @@ impl<'a> LineCheck<'a> {
         }
     }
 
-    /// The error when the file ends where a row belongs.
+    /// The error when the file ends instead of a row.
     #[cold]
     pub(super) fn missing(&self, element: &Element, row: u64) -> ReadError {
         let Element { name, count, .. } = element;
@@ -112,8 +112,8 @@ impl<'a> LineCheck<'a> {
         }
     }
 
-    /// The error of a row that could not be read: a wrong number of values in an earlier line, or in its own, is the
-    /// reason if there is one.
+    /// The error of a row that can't be read. If an earlier line, or its own, has a wrong number of values, that is
+    /// the reason.
     #[cold]
     pub(super) fn explained(&self, element: &Element, row: u64, start: usize, error: ReadError) -> ReadError {
         let ReadErrorKind::Malformed(reason) = &error.kind else { return error };
@@ -146,7 +146,7 @@ impl OddRow {
     }
 }
 
-/// How many values a row announces that begins with a line, and whether the line has all lengths of its lists.
+/// How many values a row announces that begins with a line, and whether the line has all the lengths of its lists.
 fn announced(line: &[u8], properties: &[Property]) -> (u64, bool) {
     let (mut words, mut values, mut is_exact) = (text::words(line), 0_u64, true);
     for property in properties {

@@ -1,15 +1,15 @@
-//! What a header declares, in its order, each found by its name without a look at all others.
+//! Declarations in the order of a header, which are found by name without searching all of them.
 
-/// Something that has a name.
+/// Something with a name.
 pub(super) trait Named {
     fn name(&self) -> &str;
 }
 
-/// Declarations in the order of a header. Of several of one name the first is found.
+/// Declarations in the order of a header. If several have one name, the first is found.
 #[derive(Debug, PartialEq)]
 pub(super) struct Listed<T> {
     all: Vec<T>,
-    /// The places of all, by name; those of one name ascend.
+    /// The places of all, sorted by name. Places of one name ascend.
     by_name: Vec<usize>,
 }
 
@@ -21,12 +21,12 @@ impl<T: Named> Listed<T> {
         Listed { all, by_name }
     }
 
-    /// All, in order.
+    /// All declarations, in order.
     pub(super) fn all(&self) -> &[T] {
         &self.all
     }
 
-    /// The first of a name, with its place.
+    /// The first declaration of a name, with its place.
     ///
     /// *Cost*: O(log n).
     pub(super) fn find(&self, name: &str) -> Option<(usize, &T)> {

@@ -7,21 +7,20 @@
 //! | any other property | a layer of that name and type; lists stay lists |
 //! | `face`: list `vertex_indices` or `vertex_index` | a face |
 //! | `face`: list `texcoord` of two numbers a corner, list `corner_NAME` of any number a corner | the corner layers `texcoord`, `NAME` |
-//! | `tristrips`: list `vertex_indices` with −1 for a restart | triangles, every second one reversed; those that name a vertex twice are stitches, noted and no faces |
+//! | `tristrips`: list `vertex_indices` with −1 for a restart | triangles, every second one reversed; those that name a vertex twice are stitches, which are noted and are not faces |
 //! | `edge`: `vertex1 vertex2` | a loose edge |
-//! | any other element | rows that a PLY output carries as they are |
+//! | any other element | rows that a PLY output carries unchanged |
 //! | `comment`, `obj_info` | metadata |
 //!
-//! **Text.** A row stands on a line of its own. A file whose rows are wrapped otherwise is accepted, with a note, if it
-//! comes out even at the end of each element and of the file; else the error names the first line with a wrong number
-//! of values.
+//! **Text.** Each row stands on its own line. A file with other line breaks is accepted, with a note, if all values
+//! fit at the end of each element and of the file. Else the error names the first line with a wrong number of values.
 //!
-//! Elements and properties may come in any order, and are written in the order, by the names and in the types that the file
-//! declared from which the mesh comes, where those types hold every value. Without such a file positions are written as
-//! `float` where that holds every one of them exactly, else as `double`. What is written reads back to the same layers,
-//! whatever their names and types, but for what a writer does for the sake of other programs: attributes of vertices whose
-//! corners differ, normals, and texture coordinates of polygons are written with the vertices, which are split for that; and
-//! those of other formats in the types that are expected in a PLY.
+//! Elements and properties may come in any order. If the mesh comes from a PLY file, they are written in the order,
+//! with the names and in the types of that file, if the types hold every value. Else positions are written as `float`
+//! if that holds all of them exactly, and as `double` if not. What is written reads back to the same layers, whatever
+//! their names and types are. There are two exceptions for the sake of other programs. Attributes of vertices whose
+//! corners differ, normals, and texture coordinates of polygons are written with the vertices, which are split for
+//! that. And attributes from other formats are written in the types that programs expect in a PLY.
 
 mod binary_values;
 mod carried;

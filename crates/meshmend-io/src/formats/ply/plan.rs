@@ -1,5 +1,5 @@
-//! Which elements and properties a file gets: those of the file that the mesh comes from, as far as there was one, and what
-//! else its layers need.
+//! Which elements and properties a file gets: those of the file that the mesh comes from, if there was one, and those
+//! that the layers need.
 
 use std::collections::BTreeSet;
 
@@ -44,12 +44,12 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let statements = mesh.metadata().iter().filter(|m| KEYS.contains(&m.kind()));
     let other = statements.filter(|m| header_line(&m.value) != m.value).count();
     losses.extend(Loss::if_any(LossKind::Names, other, |n| {
-        one_or_many(n, "comment is spelled otherwise", "comments are spelled otherwise")
+        one_or_many(n, "comment is spelled differently", "comments are spelled differently")
     }));
     losses
 }
 
-/// A statement as a line of a header, in which `end_header` stands for the end alone.
+/// A statement as a line of a header. `end_header` is changed in it, as only the end may have that word.
 pub(super) fn header_line(value: &[u8]) -> Vec<u8> {
     const END: &[u8] = b"end_header";
     let mut line = one_line(value).into_owned();
@@ -70,7 +70,7 @@ impl<'a> Plan<'a> {
         let (faces, edges) = (mesh.counts().faces, mesh.loose_edges().len());
         let is_declared = |name: &str| shape.is_some_and(|shape| shape.element(name).is_some());
         let mut known = vec![Element { name: "vertex", count: mesh.counts().vertices, properties: vertex }];
-        // A cloud of points has no faces, and declares none.
+        // A cloud of points does not declare faces.
         if faces > 0 || is_declared("face") || mesh.counts().vertices == 0 {
             known.push(Element { name: "face", count: faces, properties: face });
         }
@@ -86,14 +86,14 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Whether an element of the file that the mesh comes from is carried as it is.
+/// Whether the file that the mesh comes from has an element of this name that is carried unchanged.
 fn is_table(shape: Option<&PlyShape>, name: &str) -> bool {
     shape.and_then(|shape| shape.element(name)).is_some_and(|element| element.table.is_some())
 }
 
-/// The elements of a mesh and those that are carried as they are, in the order of the file that the mesh comes from.
+/// The elements of a mesh and those that are carried unchanged, in the order of the file that the mesh comes from.
 ///
-/// *Cost*: linear, but for sorting the properties of vertices, faces and edges.
+/// *Cost*: linear, except for sorting the properties of vertices, faces and edges.
 fn in_declared_order<'a>(mut known: Vec<Element<'a>>, shape: Option<&'a PlyShape>) -> Vec<Element<'a>> {
     let Some(shape) = shape else { return known };
     known.iter_mut().for_each(|element| sort_as_declared(element, shape));
@@ -111,7 +111,7 @@ fn in_declared_order<'a>(mut known: Vec<Element<'a>>, shape: Option<&'a PlyShape
             }
         }
     }
-    // Vertices first, should the file not have declared them.
+    // If the file did not declare vertices, they come first.
     let rest_is_first = known.first().is_some_and(|element| element.name == "vertex");
     if rest_is_first {
         all.insert(0, known.remove(0));
@@ -190,7 +190,8 @@ impl<'a> Planner<'a> {
         planner
     }
 
-    /// The list of a face's vertices, as the file that the mesh comes from declares it where that is wide enough.
+    /// The list of the vertices of a face, as declared in the file that the mesh comes from if its types are wide
+    /// enough.
     fn indices(&self) -> Property<'a> {
         let face = self.shape.and_then(|shape| shape.element("face"));
         let names = ["vertex_indices", "vertex_index"];
@@ -212,7 +213,7 @@ impl<'a> Planner<'a> {
         match (layer.domain(), layer.values()) {
             (_, Values::Text(_)) | (Domain::LoosePoint, _) => {}
             (Domain::Corner, Values::Lists { .. }) => {}
-            // A property of empty lists would be read as one of the faces.
+            // A property with only empty lists would be read as one of the faces.
             (Domain::Corner, _) if absent(layer) == layer.element_count() => {}
             (Domain::Corner, values) => {
                 let Some(item) = Scalar::of(values) else { return };
@@ -269,7 +270,7 @@ impl<'a> Planner<'a> {
     }
 }
 
-/// The names that positions and faces have.
+/// The names of positions and indices.
 fn reserved_names() -> BTreeSet<(Domain, String)> {
     let of_vertices = ["x", "y", "z"].map(|name| (Domain::Vertex, name.to_owned()));
     let of_faces = ["vertex_indices", "vertex_index"].map(|name| (Domain::Face, name.to_owned()));
@@ -277,7 +278,7 @@ fn reserved_names() -> BTreeSet<(Domain, String)> {
     of_vertices.into_iter().chain(of_faces).chain(of_edges).collect()
 }
 
-/// The names of the properties that a layer is spread over.
+/// The names of the properties over which a layer is spread.
 fn names(mesh: &PolygonMesh, layer: &Layer) -> Vec<String> {
     let width = layer.width();
     match usual(layer.name(), width) {
@@ -288,7 +289,7 @@ fn names(mesh: &PolygonMesh, layer: &Layer) -> Vec<String> {
     }
 }
 
-/// The names that the file had for a layer's properties.
+/// The names that the file had for the properties of a layer.
 fn stated_names(mesh: &PolygonMesh, layer: &Layer) -> Option<Vec<String>> {
     let prefix = format!("{} {} ", layer.domain().name(), layer.name());
     mesh.metadata().iter().filter(|m| m.key == PROPERTY_NAMES).find_map(|m| {
@@ -298,7 +299,7 @@ fn stated_names(mesh: &PolygonMesh, layer: &Layer) -> Option<Vec<String>> {
     })
 }
 
-/// How many corners have no value while others of their face have one.
+/// How many corners lack a value while another corner of their face has one.
 fn partly_absent(mesh: &PolygonMesh, layer: &Layer) -> usize {
     if layer.is_direct() {
         return 0;

@@ -1,12 +1,12 @@
-//! What happens to a mesh before it is written as PLY: layers go where other programs look for them.
+//! What happens to a mesh before it is written as PLY: layers move to where other programs look for them.
 
 use meshmend_core::{Domain, Id, Layer, PolygonMesh, Role, Values};
 
 use crate::formats::ply::expected::{as_expected, to_be_expected};
 use crate::{Prepared, WriteErrorKind};
 
-/// Values take the types that other programs read; normals go to the vertices, and so do texture coordinates where no vertex
-/// has to be split for them, or some face is no triangle.
+/// Converts values to the types that other programs read, and moves normals to the vertices. Texture coordinates move
+/// there, too, if no vertex must be split for them or some face is not a triangle.
 pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
     prepared.number_textures()?;
     let is_concerned = to_be_expected(prepared);
@@ -33,7 +33,7 @@ fn has_polygons(mesh: &PolygonMesh) -> bool {
     !faces.is_all_triangles() && faces.faces().any(|face| faces.corner_range(face).len() > 3)
 }
 
-/// Whether no vertex has corners that differ in a layer of corners.
+/// Whether the corners of each vertex agree in a layer.
 fn is_smooth(mesh: &PolygonMesh, layer: usize) -> bool {
     let layer = &mesh.layers()[layer];
     let mut first = vec![None; mesh.counts().vertices];

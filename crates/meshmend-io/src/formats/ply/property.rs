@@ -1,4 +1,4 @@
-//! The properties of a file to be written: where each gets its values from.
+//! The properties of a file to be written, and the sources of their values.
 
 use std::ops::Range;
 
@@ -14,25 +14,25 @@ pub(super) struct Property<'a> {
     pub(super) source: Source<'a>,
 }
 
-/// Where a property gets its values from.
+/// The source of the values of a property.
 #[derive(Clone, Copy)]
 pub(super) enum Source<'a> {
     /// A coordinate of the vertex, by its axis.
     Coordinate(usize),
     /// The vertices of the face, with their number in this type.
     Indices(Scalar),
-    /// An end of the loose edge: its first or second vertex.
+    /// The first or the second vertex of the loose edge.
     End(usize),
-    /// One of the numbers of the element's value in a layer.
+    /// One number of the value of the element in a layer.
     Component(&'a Layer, usize),
-    /// The element's value in a layer is a list, with its length in this type.
+    /// The list that the element has in a layer, with its length in this type.
     List(&'a Layer, Scalar),
-    /// The values of a face's corners in a layer, one after the other, with their number in this type.
+    /// The values of the corners of the face in a layer, with their number in this type.
     Corners(&'a Layer, Scalar),
 }
 
 impl<'a> Source<'a> {
-    /// The layer that the values are from, if they are from one.
+    /// The layer of the values, if they come from one.
     pub(super) fn layer(&self) -> Option<&'a Layer> {
         match *self {
             Source::Coordinate(_) | Source::Indices(_) | Source::End(_) => None,
@@ -56,7 +56,7 @@ impl Property<'_> {
     }
 }
 
-/// How many numbers a face's list of its corners' values has: none when no corner has a value.
+/// How many numbers the corners of a face have in a layer: 0 if no corner has a value.
 pub(super) fn corner_values(layer: &Layer, corners: Range<usize>) -> usize {
     let has_any = corners.clone().any(|corner| layer.value_of(corner).is_some());
     if has_any { corners.len() * layer.width() } else { 0 }

@@ -1,6 +1,6 @@
 //! The names of elements and properties that have a meaning.
 
-/// The elements that are understood.
+/// The elements of known meaning.
 pub(super) const KNOWN_ELEMENTS: [&str; 4] = ["vertex", "face", "tristrips", "edge"];
 
 /// Names that stand for one layer together.
@@ -9,7 +9,7 @@ pub(super) struct Group {
     pub(super) members: &'static [&'static str],
 }
 
-/// The groups, a longer one before a shorter one of which it is an extension.
+/// The groups. A group comes before those that it extends.
 pub(super) const GROUPS: [Group; 6] = [
     Group { layer: "normal", members: &["nx", "ny", "nz"] },
     Group { layer: "color", members: &["red", "green", "blue", "alpha"] },
@@ -19,8 +19,8 @@ pub(super) const GROUPS: [Group; 6] = [
     Group { layer: "texcoord", members: &["texture_u", "texture_v"] },
 ];
 
-/// The key of metadata that says which names a grouped layer's properties had, where not the usual ones.
+/// The key of metadata with the names that the properties of a group had, if they were not the usual ones.
 pub(super) const PROPERTY_NAMES: &str = "ply-property";
 
-/// What a list property's name begins with when its values are those of the corners.
+/// The start of the name of a list property whose values are those of the corners.
 pub(super) const CORNER_PREFIX: &str = "corner_";

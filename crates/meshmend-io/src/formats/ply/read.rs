@@ -1,4 +1,4 @@
-//! The PLY reader: element after element, in the order of the header.
+//! The PLY reader: one element after the other, in the order of the header.
 
 use std::io::{self, Read};
 
@@ -26,7 +26,7 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
     }
 }
 
-/// Binary values are read block by block, if all of the header is at hand.
+/// Reads binary values block by block, if the head has the whole header.
 pub(super) fn read_blocks(
     head: &Source<'_>,
     rest: &mut dyn Read,
@@ -110,9 +110,9 @@ struct Reader<'a> {
     vertices: Option<ElementRows<'a>>,
     faces: Option<ElementRows<'a>>,
     edges: Option<ElementRows<'a>>,
-    /// The place in the header of the element that is read.
+    /// The place in the header of the current element.
     element: usize,
-    /// The rows of elements that are carried as they are, with their places in the header.
+    /// The rows of elements that are carried unchanged, with their places in the header.
     tables: Vec<(usize, Columns)>,
 }
 
@@ -130,7 +130,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Keeps the rows of an element that is carried as it is.
+    /// Keeps the rows of an element that is carried unchanged.
     fn table(&mut self, message: &str, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
         self.note_skipped(message, element.count, element);
         self.tables.push((self.element, of_rows(element, data)?));
@@ -182,12 +182,12 @@ impl<'a> Reader<'a> {
         };
         let mut columns = Columns::new(element);
         if let Some(left) = data.left() {
-            // Room for triangles, as far as there can be so many.
+            // Room for triangles, but no more than the file can hold.
             let most = left / element.properties[list].item.size();
             self.parts.faces.reserve(most.min(3 * element.count as usize));
         }
         let first = self.parts.faces.face_count();
-        // Only lists beside the indices can be corner layers, which need to know whose corners are whose.
+        // Only another list than the indices can be a corner layer, which needs to know the corners of each face.
         let has_lists = element.properties.iter().filter(|property| property.length.is_some()).count() > 1;
         let (source, limits, parts) = (self.source, self.limits, &mut self.parts);
         let corner_starts = has_lists.then(Vec::new);
@@ -213,7 +213,7 @@ impl<'a> Reader<'a> {
         let mut reader = StripReader { source, limits, element, list, parts, stitches };
         data.each_row(element, None, &mut reader)?;
         let Stitches { count, first } = reader.stitches;
-        let message = "triangles that lead a strip on, with a vertex twice, are no faces";
+        let message = "triangles that name a vertex twice, which lead from strip to strip, are not faces";
         self.parts.notes.add_many(NoteKind::Stitches, message, count, || place_of(source, form, first));
         Ok(())
     }

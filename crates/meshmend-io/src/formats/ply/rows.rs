@@ -1,4 +1,4 @@
-//! The rows of vertices and faces, one by one or as tables of plain ones.
+//! The rows of vertices, faces and edges, one by one or many at a time if they are usual.
 
 use meshmend_core::{Id, VertexId};
 
@@ -13,7 +13,7 @@ use crate::{Limits, ReadError};
 /// Reads vertices.
 pub(super) struct VertexRowReader<'r> {
     pub(super) element: &'r Element,
-    /// Which properties are the coordinates.
+    /// The places of the coordinates among the properties.
     pub(super) axes: [usize; 3],
     pub(super) columns: &'r mut Columns,
     pub(super) positions: &'r mut Vec<[f64; 3]>,
@@ -45,11 +45,11 @@ pub(super) struct FaceRowReader<'r, 'a> {
     pub(super) source: &'r Source<'a>,
     pub(super) limits: &'r Limits,
     pub(super) element: &'r Element,
-    /// Which property is the list of indices.
+    /// The place of the list of indices among the properties.
     pub(super) list: usize,
     pub(super) columns: &'r mut Columns,
     pub(super) parts: &'r mut Parts,
-    /// The first corner of each face, if it is to be known.
+    /// The first corner of each face, if a corner layer may need it.
     pub(super) corner_starts: Option<Vec<u32>>,
 }
 
@@ -85,7 +85,7 @@ impl RowReader for FaceRowReader<'_, '_> {
 /// Reads loose edges.
 pub(super) struct EdgeRowReader<'r> {
     pub(super) element: &'r Element,
-    /// Which properties are the ends.
+    /// The places of the ends among the properties.
     pub(super) ends: [usize; 2],
     pub(super) columns: &'r mut Columns,
     pub(super) parts: &'r mut Parts,
@@ -111,7 +111,8 @@ impl EdgeRowReader<'_> {
         data.indices(property.item, 1, |index, at| found = (index, at))?;
         let (index, at) = found;
         let index = u32::try_from(index);
-        let index = index.map_err(|_| data.wrong(at, &format!("{} is no index of a vertex", found.0)))?;
+        let index =
+            index.map_err(|_| data.wrong(at, &format!("{} is not the index of a vertex", found.0)))?;
         self.parts.max_index.see(index, at);
         Ok(VertexId::new(index as usize))
     }
@@ -136,7 +137,7 @@ impl FaceRowReader<'_, '_> {
         faces.end_face();
         match wrong {
             None => Ok(()),
-            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
+            Some((index, at)) => Err(data.wrong(at, &format!("{index} is not the index of a vertex"))),
         }
     }
 }

@@ -89,7 +89,7 @@ impl Scalar {
         })
     }
 
-    /// The smallest unsigned type that counts so far.
+    /// The smallest unsigned type that can count so far.
     pub(super) fn counting(most: usize) -> Scalar {
         match most {
             0..=0xff => Scalar::U8,

@@ -1,4 +1,4 @@
-//! What a PLY file's writer chose: which elements the header declares, with which properties, of which types, in which order.
+//! The choices of a PLY file: the elements of its header, their properties and types, and the order of all of them.
 
 use meshmend_core::{Layer, PolygonMesh, counted};
 
@@ -10,11 +10,11 @@ use crate::formats::ply::scalar::Scalar;
 use crate::shell::{Output, Shape};
 use crate::{Loss, LossKind};
 
-/// What a PLY file's writer chose.
+/// The choices of a PLY file.
 #[derive(Debug)]
 pub(super) struct PlyShape {
     pub(super) elements: Listed<Declared>,
-    /// The mesh as it was stored, if a table names its vertices or faces by number.
+    /// The mesh of the file, if a carried element names its vertices or faces by number.
     stored: Option<PolygonMesh>,
 }
 
@@ -23,11 +23,11 @@ pub(super) struct PlyShape {
 pub(super) struct Declared {
     pub(super) name: String,
     pub(super) properties: Listed<DeclaredProperty>,
-    /// The rows, where nothing else is known of the element: it is carried as it is.
+    /// The rows, if the meaning of the element is unknown. It is carried unchanged.
     pub(super) table: Option<CarriedRows>,
 }
 
-/// The rows of an element that is carried as it is: a layer a property, each of whose values is that of a row.
+/// The rows of an element that is carried unchanged: one layer for each property, with one value for each row.
 #[derive(Debug, PartialEq)]
 pub(super) struct CarriedRows {
     pub(super) count: usize,
@@ -55,8 +55,8 @@ impl Named for DeclaredProperty {
 }
 
 impl PlyShape {
-    /// What a header declares, with the rows of those elements that are carried as they are: the places of these in the
-    /// header, ascending, and their columns.
+    /// What a header declares, with the rows of the elements that are carried unchanged: their places in the header,
+    /// ascending, and their columns.
     pub(super) fn new(header: &Header, tables: Vec<(usize, Columns)>, mesh: &PolygonMesh) -> Self {
         let mut tables = tables.into_iter().peekable();
         let declared = |(at, element): (usize, &Element)| {
@@ -73,7 +73,7 @@ impl PlyShape {
         self.elements.find(name).map(|(_, element)| element)
     }
 
-    /// Whether a property of vertices or faces is declared that a layer is written as.
+    /// Whether vertices or faces have a property as which a layer is written.
     pub(super) fn declares(&self, layer: &Layer) -> bool {
         let groups = GROUPS.iter().filter(|group| group.layer == layer.name());
         let of_corners = format!("{CORNER_PREFIX}{}", layer.name());
@@ -83,7 +83,7 @@ impl PlyShape {
         names.any(|name| elements.iter().flatten().any(|element| element.property(name).is_some()))
     }
 
-    /// The tables that name vertices or faces by numbers which these no longer have.
+    /// The losses of carried elements that name vertices or faces by numbers that are out of date.
     pub(super) fn stale_losses(&self, written: &PolygonMesh) -> Vec<Loss> {
         let Some(stored) = &self.stored else { return Vec::new() };
         let bits = |mesh: &PolygonMesh| -> Vec<u64> {
@@ -121,7 +121,8 @@ impl Declared {
         Declared { name: element.name.clone(), properties: Listed::new(properties.collect()), table }
     }
 
-    /// Whether it is carried as it is and has whole numbers that by their name are those of vertices or faces.
+    /// Whether it is carried unchanged and has whole numbers that are those of vertices or faces, judging by their
+    /// names.
     fn names_elements(&self) -> bool {
         let is_number = |property: &DeclaredProperty| {
             let name = property.name.to_ascii_lowercase();
@@ -137,7 +138,7 @@ impl Declared {
     }
 }
 
-/// The declarations alone: the mesh that is kept beside them is that of the same file.
+/// Compares the declarations alone: the mesh that is kept is that of the same file.
 impl PartialEq for PlyShape {
     fn eq(&self, other: &Self) -> bool {
         self.elements == other.elements
@@ -149,7 +150,7 @@ impl Shape for PlyShape {
         other.downcast() == Some(self)
     }
 
-    /// The elements that are carried as they are, in any other format.
+    /// In another format, the elements that a PLY file would carry.
     fn losses_in(&self, output: Output<'_>) -> Vec<Loss> {
         if let Output::OfSameFormat(_) = output {
             return Vec::new();

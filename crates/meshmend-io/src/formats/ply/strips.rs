@@ -1,8 +1,8 @@
-//! Triangle strips: each vertex after the first two makes a triangle with the two before it, every second one reversed;
-//! −1 begins a new strip.
+//! Triangle strips: each vertex after the first two makes a triangle with the two vertices before it. Every second
+//! triangle is reversed. −1 begins a new strip.
 //!
-//! A strip is led on to where another one begins through triangles that name a vertex twice. These *stitches* are part of
-//! the encoding and no faces; they count where every second triangle is reversed.
+//! Encoders lead a strip to the start of the next one through triangles that name a vertex twice. These *stitches*
+//! belong to the encoding and are not faces, but they count when every second triangle is reversed.
 
 use meshmend_core::VertexId;
 
@@ -19,7 +19,7 @@ pub(super) struct StripReader<'r, 'a> {
     pub(super) source: &'r Source<'a>,
     pub(super) limits: &'r Limits,
     pub(super) element: &'r Element,
-    /// Which property is the list of indices.
+    /// The place of the list of indices among the properties.
     pub(super) list: usize,
     pub(super) parts: &'r mut Parts,
     pub(super) stitches: Stitches,
@@ -76,7 +76,7 @@ impl StripReader<'_, '_> {
         self.source.limited("corners", corners, self.limits.max_corners)?;
         match wrong {
             None => Ok(()),
-            Some((index, at)) => Err(data.wrong(at, &format!("{index} is no index of a vertex"))),
+            Some((index, at)) => Err(data.wrong(at, &format!("{index} is not the index of a vertex"))),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Values as text: words between blanks, wherever the lines end ([`LineCheck`] judges those). Rows with a line each are parsed
+//! Values as text: words between blanks, wherever the lines end ([`LineCheck`] judges those). Usual rows are parsed
 //! ahead.
 
 use meshmend_core::Values;
@@ -37,7 +37,7 @@ impl<'a> TextValues<'a> {
         }
     }
 
-    /// Passes over a value if a blank or the end follows it.
+    /// Skips a value if a blank or the end follows it.
     #[inline]
     fn passed<T>(&mut self, bytes: &[u8], value: Option<(T, usize)>) -> Option<T> {
         let (value, length) = value?;
@@ -66,8 +66,8 @@ impl<'a> TextValues<'a> {
         }
     }
 
-    /// A whole number as almost all are written: up to nine digits after at most one blank, and a blank behind them.
-    /// With how many bytes it takes.
+    /// A whole number in the usual spelling, and its length: up to nine digits between two blanks, the first of which
+    /// may be missing.
     #[inline]
     fn short(&self) -> Option<(i64, usize)> {
         let bytes = &self.source.bytes[self.at..];
@@ -92,10 +92,10 @@ impl<'a> TextValues<'a> {
         if (least..=greatest).contains(&value) {
             return Ok(value);
         }
-        Err(self.wrong(self.at, &format!("{value} is no number of type `{}`", scalar.name())))
+        Err(self.wrong(self.at, &format!("{value} is not a number of type `{}`", scalar.name())))
     }
 
-    /// A whole number that is spelled like one with a fraction: `255.0`.
+    /// A whole number that is spelled with a point, such as `255.0`.
     #[cold]
     fn whole_with_point(&mut self, bytes: &[u8]) -> Result<i64, ReadError> {
         let whole = text::real::<f64>(bytes).filter(|(value, _)| value.fract() == 0.0);
@@ -124,7 +124,7 @@ impl Data for TextValues<'_> {
     }
 
     fn check_room(&self, values: u64, _: u64, what: &str) -> Result<(), ReadError> {
-        // A value takes a byte and a blank.
+        // A value takes at least a byte and a blank.
         let left = self.source.bytes.len() - self.at;
         if values <= left as u64 / 2 + 1 {
             return Ok(());
@@ -178,18 +178,18 @@ impl Data for TextValues<'_> {
     fn each_row(
         &mut self,
         element: &Element,
-        plain: Option<ParsedRows>,
+        usual: Option<ParsedRows>,
         reader: &mut impl RowReader,
     ) -> Result<(), ReadError> {
         let source = self.source;
         let mut rows = RowsLeft { next: self.at, data: self, reader, element, left: element.count };
-        match plain {
+        match usual {
             Some(table) => read_speculatively(source.bytes, source.pace, &table, &mut rows),
             None => rows.read_to(source.bytes.len()),
         }
     }
 
-    /// That rows are missing is found at the end of the file, where it is known how many are there.
+    /// Missing rows are found at the end of the file, where their number is known.
     fn begin_element(&mut self, _: &Element) -> Result<(), ReadError> {
         self.lines.begin_element(self.at);
         Ok(())
@@ -211,10 +211,9 @@ impl Data for TextValues<'_> {
     }
 }
 
-/// The rows of an element that are yet to be read.
+/// The rows of an element that are still to be read.
 struct RowsLeft<'r, 'a, R> {
-    /// Where the next one begins, or may begin. The values themselves stay at the end of the last one, from which errors
-    /// count.
+    /// Where the next row may begin. The values stay at the end of the last row, as that is the place of errors.
     next: usize,
     data: &'r mut TextValues<'a>,
     reader: &'r mut R,

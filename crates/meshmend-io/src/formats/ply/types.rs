@@ -1,15 +1,16 @@
-//! The types of what is written: as declared where they hold every value, else the least that do.
+//! The types in which values are written: those that were declared if they hold every value, else the smallest that
+//! do.
 
 use meshmend_core::{FaceTable, PolygonMesh};
 
 use crate::formats::ply::scalar::Scalar;
 use crate::formats::ply::shape::Declared;
 
-/// The types of the three coordinates: as declared, if that holds every value to the bit; else `float` if all coordinates
-/// are in single precision, and `double` if not.
+/// The types of the three coordinates: the declared type if it holds every value to the bit; else `float` if all
+/// coordinates are single numbers, and `double` if not.
 pub(super) fn coordinate_types(mesh: &PolygonMesh, declared: Option<&Declared>) -> [Scalar; 3] {
     let is_single = |x: &f64| f64::from(*x as f32).to_bits() == x.to_bits();
-    // Block by block, so that no number waits for the one before it.
+    // Within a block all numbers are compared, so that the processor can compare several at a time.
     let is_block_single = |block: &[[f64; 3]]| block.iter().flatten().fold(true, |all, x| all & is_single(x));
     let all_single = mesh.positions().chunks(256).all(is_block_single);
     let usual = if all_single { Scalar::F32 } else { Scalar::F64 };
@@ -33,7 +34,7 @@ pub(super) fn coordinate_types(mesh: &PolygonMesh, declared: Option<&Declared>) 
     types
 }
 
-/// The most corners that a face has.
+/// The most corners of a face.
 pub(super) fn corners_at_most(faces: &FaceTable) -> usize {
     match faces.is_all_triangles() {
         true => 3,
@@ -41,12 +42,12 @@ pub(super) fn corners_at_most(faces: &FaceTable) -> usize {
     }
 }
 
-/// The declared type of lengths of lists, if it counts so far; else the smallest that does.
+/// The declared type of the lengths of lists, if it can count so far; else the smallest that can.
 pub(super) fn counting(declared: Option<Scalar>, most: usize) -> Scalar {
     fitting(declared, most, Scalar::counting(most))
 }
 
-/// The declared type, if it is one of whole numbers that goes so far.
+/// The declared type, if it is a type of whole numbers with so large a range; else another one.
 pub(super) fn fitting(declared: Option<Scalar>, most: usize, otherwise: Scalar) -> Scalar {
     let goes_so_far = |scalar: &Scalar| !scalar.has_fractions() && scalar.range().1 as u64 >= most as u64;
     declared.filter(goes_so_far).unwrap_or(otherwise)

@@ -1,4 +1,5 @@
-//! Rows of text as almost all programs write them: one a line, numbers and at most one list, the indices of a face.
+//! Rows of text as almost all programs write them: one on each line, with numbers and at most one list, the indices
+//! of a face.
 
 use meshmend_core::{FaceTableBuilder, VertexId};
 
@@ -16,11 +17,11 @@ pub(super) struct ParsedRows {
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) faces: FaceTableBuilder,
     pub(super) max_index: MaxIndex,
-    /// The numbers that are no coordinates, row by row; doubles hold each type's values exactly.
+    /// The other numbers, row by row. Doubles hold the values of every type exactly.
     pub(super) others: Vec<f64>,
 }
 
-/// What each row is.
+/// What the rows are.
 #[derive(Clone, Copy)]
 enum Kind {
     Vertex,
@@ -32,14 +33,14 @@ enum Kind {
 enum Cell {
     /// A coordinate, by its axis.
     Coordinate(usize, Scalar),
-    /// The indices of a face, and the types of their number and of each.
+    /// The indices of a face, with the types of their number and of each index.
     Indices(Scalar, Scalar),
     /// Any other number.
     Other(Scalar),
 }
 
 impl ParsedRows {
-    /// No vertices with these properties as coordinates; nothing if there are lists.
+    /// An empty collection of vertices with these properties as coordinates, or `None` if they have lists.
     pub(super) fn of_vertices(element: &Element, axes: [usize; 3]) -> Option<Self> {
         let cell = |(column, property): (usize, &Property)| {
             let axis = axes.iter().position(|&axis| axis == column);
@@ -53,7 +54,7 @@ impl ParsedRows {
         Some(ParsedRows::of(Kind::Vertex, cells))
     }
 
-    /// No faces with this property as indices; nothing if there are other lists.
+    /// An empty collection of faces with this property as indices, or `None` if they have other lists.
     pub(super) fn of_faces(element: &Element, list: usize) -> Option<Self> {
         let cell = |(column, property): (usize, &Property)| match property.length {
             None => Some(Cell::Other(property.item)),

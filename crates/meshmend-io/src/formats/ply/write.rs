@@ -61,7 +61,7 @@ impl RowWriter<'_> {
     fn element(&mut self, mesh: &PolygonMesh, element: &Element<'_>) -> io::Result<()> {
         match element.properties[..] {
             [] => return Ok(()),
-            // What nearly all files are made of.
+            // Almost all files have just these elements.
             [
                 Property { source: Source::Coordinate(0), item, .. },
                 Property { source: Source::Coordinate(1), item: second, .. },
@@ -81,7 +81,7 @@ impl RowWriter<'_> {
         Ok(())
     }
 
-    /// The vertices, where they have a point and nothing else, in one type of fractions.
+    /// Writes vertices that have only coordinates, all in one floating-point type.
     fn points(&mut self, mesh: &PolygonMesh, item: Scalar) -> io::Result<()> {
         for &point in mesh.positions() {
             let single = point.map(|x| x as f32);
@@ -101,7 +101,7 @@ impl RowWriter<'_> {
         Ok(())
     }
 
-    /// The faces, where they have vertices and nothing else: a byte that counts them, and four bytes each.
+    /// Writes faces that have only vertices: a byte for their number, and four bytes for each.
     fn polygons(&mut self, mesh: &PolygonMesh) -> io::Result<()> {
         const LONGEST: usize = 15;
         for face in mesh.faces().faces() {
@@ -176,7 +176,7 @@ impl RowWriter<'_> {
         (0..width).for_each(|i| self.entry(item, layer.values(), value.map(|value| value * width + i)));
     }
 
-    /// An entry of a pool; for none at all NaN, or 0 in types that have no NaN.
+    /// An entry of a pool. Without an entry it is NaN, or 0 in types without NaN.
     #[inline]
     fn entry(&mut self, item: Scalar, values: &Values, at: Option<usize>) {
         match (item.has_fractions(), at) {
@@ -187,7 +187,7 @@ impl RowWriter<'_> {
         }
     }
 
-    /// A number with a fraction, bit by bit also where it is a NaN with a payload.
+    /// A floating-point number to the bit, also if it is a NaN with a payload.
     #[inline]
     fn fraction(&mut self, item: Scalar, values: &Values, at: usize) {
         match values {
@@ -223,7 +223,7 @@ impl RowWriter<'_> {
         }
     }
 
-    /// A whole number that is within the range of its type.
+    /// A whole number within the range of its type.
     #[inline]
     fn whole(&mut self, scalar: Scalar, value: i64) {
         match self.encoding {
@@ -236,7 +236,7 @@ impl RowWriter<'_> {
         }
     }
 
-    /// A blank between values of one row.
+    /// Writes a blank between values of one row.
     #[inline]
     fn part(&mut self) {
         if std::mem::replace(&mut self.row_has_values, true) {

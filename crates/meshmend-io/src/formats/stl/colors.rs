@@ -7,8 +7,7 @@
 //! | Materialise Magics | 0: a colour of its own | blue | green | red | that of the header: `COLOR=` and four bytes |
 //! | VisCAM, SolidView | 1: a colour of its own | red | green | blue | none |
 //!
-//! A header with `COLOR=` says that it is the first. Nothing says that it is the second, so colours are read only where
-//! they are asked for.
+//! A header with `COLOR=` shows the first. There is no sign of the second, so colours are read only on request.
 
 use meshmend_core::{Carry, Domain, FaceId, Layer, MeshError, NO_VALUE, PolygonMesh, Role, Values};
 
@@ -17,20 +16,20 @@ use crate::input::notes::Notes;
 use crate::layers::layer_of;
 use crate::{NoteKind, Place};
 
-/// The elements to which colours are given.
+/// The elements that get the colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColorElements {
     /// The faces.
     Faces,
-    /// The vertices, each of which is one face's alone where a mesh is as an STL file has it. A vertex of several faces has
-    /// the colour of the last of them.
+    /// The vertices. In a mesh as read from STL, each vertex belongs to one face. A vertex of several faces gets the
+    /// colour of the last of them.
     Vertices,
 }
 
-/// Which program's convention a file follows.
+/// The convention that a file follows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Convention {
-    /// Materialise Magics, with the colour of the whole.
+    /// That of Materialise Magics, with the colour of the whole mesh.
     Magics([u8; 3]),
     VisCam,
 }
@@ -47,7 +46,7 @@ impl Convention {
         }
     }
 
-    /// The colour that an attribute says, if it says one.
+    /// The colour of an attribute, if it has one.
     fn color(self, attribute: u16) -> Option<[u8; 3]> {
         let is_set = attribute & OWN_OR_NOT != 0;
         let [low, middle, high] = [0, 5, 10].map(|bits| in_bytes(attribute >> bits & 31));
@@ -58,12 +57,12 @@ impl Convention {
     }
 }
 
-/// The byte nearest to a part of 31.
+/// The byte nearest to a fraction of 31.
 fn in_bytes(part: u16) -> u8 {
     ((part * 255 + 15) / 31) as u8
 }
 
-/// Names attributes that are colours, or may be.
+/// Notes attributes that are colours, or may be colours.
 pub(super) fn note(header: &[u8], attributes: &[u16], notes: &mut Notes) {
     let (message, count) = match Convention::of(header) {
         Convention::Magics(_) => (
@@ -78,14 +77,14 @@ pub(super) fn note(header: &[u8], attributes: &[u16], notes: &mut Notes) {
     notes.add_many(NoteKind::PerhapsColors, message, count as u64, || Place::File);
 }
 
-/// A mesh in which attribute bytes of facets, as a binary STL file has them, have become colours. A mesh without such
-/// attributes comes back as it is.
+/// A mesh in which the attribute bytes of facets, as binary STL has them, have become colours. A mesh without such
+/// attributes is returned as it is.
 ///
-/// A header with `COLOR=` says that they follow Materialise Magics; else they are taken for those of VisCAM. UsualFacets
+/// A header with `COLOR=` says that they follow Materialise Magics; else they are taken for those of VisCAM. Facets
 /// without a colour of their own have that of the header, or none.
 ///
 /// # Errors
-/// When the mesh can't hold the layer.
+/// If the mesh can't hold the layer.
 ///
 /// *Cost*: linear.
 pub fn decode_stl_colors(mesh: &PolygonMesh, elements: ColorElements) -> Result<PolygonMesh, MeshError> {

@@ -18,7 +18,7 @@ pub(crate) const FACTS: Facts = Facts {
     sniff,
 };
 
-/// Text that begins with `solid` and a facet, or binary of exactly the length that it claims.
+/// Whether it is a text that begins with `solid` and a facet, or binary of exactly the length of its count.
 fn sniff(bytes: &[u8], length: u64) -> bool {
     const START: usize = 1 << 12;
     let is_exact = claimed_length(bytes) == Some(length) && bytes.len() > HEAD;

@@ -13,7 +13,7 @@ pub(super) const HEADER: &str = "stl-header";
 /// The key of metadata that holds the name of a single solid.
 pub(super) const SOLID: &str = "solid";
 
-/// How long the file would be if its count were right; nothing when it is too short to have a count.
+/// The length that the file has if its count is right, or `None` if it is too short to have a count.
 pub(super) fn claimed_length(bytes: &[u8]) -> Option<u64> {
     bytes.get(HEAD - 4..HEAD).map(|count| HEAD as u64 + FACET as u64 * u64::from(little_endian(count)))
 }
@@ -28,12 +28,13 @@ pub(super) fn begins_with_solid(bytes: &[u8]) -> bool {
     word && start.get(5).is_none_or(|&next| is_space(next) || next == 0)
 }
 
-/// Whether the file, of which the start is at hand, has the length that its count says, and the count is none of text.
+/// Whether a file that starts with these bytes has the length that its count says, and the bytes of the count are not
+/// text.
 pub(super) fn is_surely_binary(bytes: &[u8], length: u64) -> bool {
     claimed_length(bytes) == Some(length) && has_binary_count(bytes)
 }
 
-/// Whether the place of the count holds bytes that no text has.
+/// Whether the place of the count has bytes that do not occur in text.
 pub(super) fn has_binary_count(bytes: &[u8]) -> bool {
     bytes[HEAD - 4..HEAD].iter().any(|&b| b < b' ' && !is_space(b))
 }

@@ -1,21 +1,23 @@
 //! STL: facets with three coordinates a corner, as text or binary; no indices.
 //!
-//! Each facet has vertices of its own: nothing is welded here. Coordinates are doubles in text, and single precision in
-//! binary files. Stored normals are computed afresh when written; those that point elsewhere are noted.
+//! Each facet has vertices of its own, as the reader does not weld. Coordinates are doubles in text, and single
+//! numbers in binary files. A writer computes normals from the corners. Stored normals that point elsewhere are
+//! noted.
 //!
 //! **Which form.** A file of exactly 84 + 50 n bytes for its own count n is binary, whatever its header says, if the
-//! bytes of the count are none of text. Any other file that begins with `solid` is text, unless it does not read as
-//! such and has room for the facets that its count says. Anything else is binary.
+//! bytes of the count are not text. Any other file that begins with `solid` is text, unless it can't be read as text
+//! and has room for the facets of its count. All other files are binary.
 //!
-//! **Binary.** Fewer bytes than the count says are an error; so is room for one more facet or beyond, as the
-//! count then hides facets. Fewer surplus bytes are skipped and noted. The header is metadata, without the zeros at its
-//! end; it is written to the byte. The two bytes that end each facet are the face layer `attribute` if one of them is
-//! not 0; they may be colours (`colors.rs`).
+//! **Binary.** It is an error if the file has fewer bytes than the count says, or room for another facet, which the
+//! count would hide. Fewer surplus bytes are skipped, with a note. The header without the zeros at its end is
+//! metadata; it is written to the byte. The two bytes that end each facet are the face layer `attribute` if one of
+//! them is not 0. They may be colours (`colors.rs`).
 //!
-//! **Text.** Words in any case, parted by any blanks and line ends. A facet with more than three vertices is a
-//! polygon; with fewer it is an error. Polygons are cut into triangles, as the repair cuts them, before they are
-//! written. The name of a single solid is metadata `solid`; different ones of several solids are the face layer `object`.
-//! Names may hold any words (`names.rs`). A missing `endsolid` after a whole facet is noted.
+//! **Text.** Words may have any case, and any blanks and line ends between them. A facet with more than three
+//! vertices is a polygon; one with fewer is an error. Polygons are cut into triangles, as the repair cuts them,
+//! before they are written. The name of a single solid is metadata `solid`. The names of several solids are the face
+//! layer `object` if they differ. Names may have any words (`solid_names.rs`). A missing `endsolid` after a whole
+//! facet is noted.
 
 pub(crate) mod colors;
 pub(crate) mod facts;

@@ -1,11 +1,11 @@
-//! Normals of facets: those that are stored beside those that the corners have.
+//! Stored normals of facets, compared with those of the corners.
 //!
-//! A stored normal is not kept, but computed afresh where facets are written. So those that point elsewhere are counted.
+//! Stored normals are not kept: a writer computes them from the corners. So those that point elsewhere are counted.
 
 use crate::input::notes::Notes;
 use crate::{NoteKind, Place};
 
-/// 1 − the square of the cosine of the angle from which on two directions differ: a thousandth of a radian.
+/// The square of the sine of the angle from which on two directions differ: a thousandth of a radian.
 const SQUARE_OF_SINE: f64 = 1e-6;
 
 /// The stored normals that point elsewhere than the facets do.
@@ -17,8 +17,8 @@ pub(super) struct Recomputed {
 }
 
 impl Recomputed {
-    /// Sees the stored normal of a facet that begins at a byte. A vector that is zero or not finite has no direction, and
-    /// differs from none.
+    /// Takes in the stored normal of a facet that begins at a byte. A vector that is zero or not finite has no
+    /// direction, so it does not differ.
     #[inline]
     pub(super) fn see(&mut self, stored: [f64; 3], corners: [[f64; 3]; 3], at: usize) {
         if stored != [0.0; 3] && differ(stored, corners) {
@@ -27,13 +27,13 @@ impl Recomputed {
         }
     }
 
-    /// Sees what another one has seen at later places.
+    /// Takes in what was seen at later places.
     pub(super) fn see_all(&mut self, later: Recomputed) {
         self.count += later.count;
         self.first = self.first.or(later.first);
     }
 
-    /// Names them, with the place of the first.
+    /// Notes them, with the place of the first.
     pub(super) fn note(self, notes: &mut Notes, place: impl FnOnce(usize) -> Place) {
         let message =
             "stored normals that point elsewhere than their facets are not kept, but computed afresh";
@@ -48,27 +48,27 @@ fn differ(stored: [f64; 3], corners: [[f64; 3]; 3]) -> bool {
         return false;
     };
     let mut stored = stored;
-    if !is_plain(dot(stored, stored)) {
+    if !is_ordinary(dot(stored, stored)) {
         stored = scaled(stored);
     }
     let (product, squares) = (dot(stored, along), dot(stored, stored) * dot(along, along));
     product <= 0.0 || product * product < (1.0 - SQUARE_OF_SINE) * squares
 }
 
-/// The unit normal of a triangle; zero where it has none.
+/// The unit normal of a triangle, or zero if it has none.
 pub(super) fn unit_normal(corners: [[f64; 3]; 3]) -> [f64; 3] {
     let Some(along) = along_area(corners) else { return [0.0; 3] };
     let scale = 1.0 / dot(along, along).sqrt();
     along.map(|x| x * scale)
 }
 
-/// A vector along the area vector of a triangle, of a length whose square is a plain number; nothing where corners lie on
-/// a line or are not finite.
+/// A vector along the area vector of a triangle, of a length whose square is an ordinary number. Returns `None` if
+/// the corners lie on a line or are not finite.
 #[inline]
 fn along_area(corners: [[f64; 3]; 3]) -> Option<[f64; 3]> {
     let [a, b, c] = corners;
     let along = cross(minus(b, a), minus(c, a));
-    if is_plain(dot(along, along)) { Some(along) } else { along_odd_area(corners) }
+    if is_ordinary(dot(along, along)) { Some(along) } else { along_odd_area(corners) }
 }
 
 /// The same where a square may overflow or vanish.
@@ -81,10 +81,11 @@ fn along_odd_area(corners: [[f64; 3]; 3]) -> Option<[f64; 3]> {
         corners
     };
     let along = scaled(cross(scaled(minus(b, a)), scaled(minus(c, a))));
-    is_plain(dot(along, along)).then_some(along)
+    is_ordinary(dot(along, along)).then_some(along)
 }
 
-/// A vector in the same direction whose largest part is about 1; as it is where it is zero or not finite.
+/// A vector in the same direction whose largest coordinate is about 1, or the vector itself if it is zero or not
+/// finite.
 fn scaled(vector: [f64; 3]) -> [f64; 3] {
     let largest = vector.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest > 0.0 && largest.is_finite() { vector.map(|x| x / largest) } else { vector }
@@ -92,7 +93,7 @@ fn scaled(vector: [f64; 3]) -> [f64; 3] {
 
 /// Whether a square is far from where numbers overflow or vanish.
 #[inline]
-fn is_plain(square: f64) -> bool {
+fn is_ordinary(square: f64) -> bool {
     square > 1e-200 && square < 1e200
 }
 
@@ -111,7 +112,7 @@ fn dot(u: [f64; 3], v: [f64; 3]) -> f64 {
     u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 }
 
-/// A number, not always to its last bit, as only a direction is asked of it; what is no plain number has no direction.
+/// A number, perhaps without its last bits, as only a direction is needed. NaN if the word is not an ordinary number.
 #[inline]
 pub(super) fn roughly(word: &[u8]) -> f64 {
     let (is_negative, digits) = match word {
@@ -133,13 +134,13 @@ pub(super) fn roughly(word: &[u8]) -> f64 {
     if is_negative { -value } else { value }
 }
 
-/// So many digits are a whole number of 64 bits.
+/// How many digits always fit a whole number of 64 bits.
 const MOST_DIGITS: usize = 19;
 
-/// The digits before an exponent as a whole number, with the power of ten by which it is to be multiplied, and what follows.
+/// The digits before an exponent as a whole number, the power of ten that multiplies it, and the bytes that follow.
 type Mantissa<'a> = (u64, i32, &'a [u8]);
 
-/// That of a word of few bytes, in which no digit is too many.
+/// The mantissa of a short word, all of whose digits fit.
 #[inline]
 fn short_mantissa(word: &[u8]) -> Option<Mantissa<'_>> {
     let (mut whole, mut point, mut end) = (0_u64, None, 0);
@@ -159,7 +160,7 @@ fn short_mantissa(word: &[u8]) -> Option<Mantissa<'_>> {
     (digits > 0).then(|| (whole, -(after_point as i32), &word[end..]))
 }
 
-/// That of any word: digits beyond those that matter are counted alone.
+/// The mantissa of any word. Digits beyond those that matter are only counted.
 #[cold]
 fn long_mantissa(mut rest: &[u8]) -> Option<Mantissa<'_>> {
     let (mut whole, mut scale, mut is_after_point, mut any) = (0_u64, 0_i32, false, false);

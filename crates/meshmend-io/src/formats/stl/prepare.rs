@@ -5,8 +5,8 @@ use meshmend_geometry::rounding::in_single_precision;
 use crate::formats::stl::triangles;
 use crate::{Encoding, Prepared, WriteErrorKind, rounding_losses};
 
-/// Rounds positions where they are stored in single precision, so that all else is about what will be read again, and cuts
-/// polygons into triangles.
+/// Rounds positions if they are stored in single precision, and cuts polygons into triangles. Rounding comes first,
+/// so that all further steps judge what will be read again.
 pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
     let rounded =
         if prepared.encoding == Encoding::Ascii { None } else { in_single_precision(&prepared.mesh) };

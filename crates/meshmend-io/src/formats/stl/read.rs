@@ -29,7 +29,7 @@ pub(super) fn read(source: &Source<'_>, limits: &Limits) -> Result<Parsed, ReadE
     }
 }
 
-/// What can't be text is read block by block.
+/// Reads what can't be text, block by block.
 pub(super) fn read_blocks(
     head: &Source<'_>,
     rest: &mut dyn Read,

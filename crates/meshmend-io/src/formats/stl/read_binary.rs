@@ -54,7 +54,7 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
     Ok(Parsed { mesh, notes, shell })
 }
 
-/// How many facets there are, if they fit the count.
+/// The number of facets, or an error if the length of the file does not fit it.
 fn checked_count(source: &Source<'_>) -> Result<usize, ReadError> {
     let end = Place::Byte(source.length as u64);
     let Some(claimed) = claimed_length(source.bytes) else {
@@ -74,7 +74,7 @@ fn checked_count(source: &Source<'_>) -> Result<usize, ReadError> {
     Ok(count)
 }
 
-/// The two bytes that end each facet, from the first facet on where they are not 0.
+/// The two bytes that end each facet, up to the last facet where they are not 0.
 #[derive(Default)]
 struct Attributes(Vec<u16>);
 
@@ -87,7 +87,7 @@ impl Attributes {
         }
     }
 
-    /// What all faces have, if any of them has something else than 0.
+    /// The attributes of all faces, if one of them is not 0.
     fn layer(mut self, faces: usize) -> Option<Layer> {
         if self.0.is_empty() {
             return None;

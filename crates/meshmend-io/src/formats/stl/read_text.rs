@@ -1,4 +1,4 @@
-//! The reader of STL as text. UsualFacets that are laid out as usual are parsed ahead of it.
+//! The reader of STL as text. Facets in the usual layout are parsed ahead of it.
 
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, Values, VertexId, counted};
 
@@ -36,7 +36,7 @@ struct Reader<'a> {
     limits: &'a Limits,
     at: usize,
     parts: Parts,
-    /// Each solid's first face and name.
+    /// The first face and the name of each solid.
     solids: Vec<(usize, &'a [u8])>,
     is_in_solid: bool,
     names: SolidNames<'a>,
@@ -44,7 +44,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Reads what comes next between facets: one of them, or where a solid begins or ends.
+    /// Reads the next item: a facet, or the beginning or the end of a solid.
     fn item(&mut self) -> Result<(), ReadError> {
         let start = self.next();
         if !self.is_in_solid {
@@ -67,7 +67,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The end of the file after a whole facet. Without any facet the file may have been cut.
+    /// Notes that `endsolid` is missing. If the solid has no facet, the file may have been cut, which is an error.
     fn missing_end(&mut self, at: usize) -> Result<(), ReadError> {
         if self.solids.last().is_none_or(|&(first, _)| first == self.parts.faces.face_count()) {
             return Err(self.wrong(at, "the file ends before the first facet of a solid"));
@@ -84,7 +84,7 @@ impl<'a> Reader<'a> {
         text::trimmed(&self.source.bytes[start..self.at])
     }
 
-    /// Passes over the name of the solid that ends here.
+    /// Skips the name of the solid that ends here.
     fn pass_end_name(&mut self) {
         let name = self.solids.last().map_or(&b""[..], |&(_, name)| name);
         self.at = self.names.end_of_repeated(self.at, name);
@@ -114,7 +114,7 @@ impl<'a> Reader<'a> {
         self.source.limited("faces", self.parts.faces.face_count() as u64, self.limits.max_faces)
     }
 
-    /// The numbers after `normal`, or zeros where there are not three of them. Ends after `outer`.
+    /// The numbers after `normal`, or zeros if there are not three. It reads up to and with `outer`.
     fn normal(&mut self) -> Result<[f64; 3], ReadError> {
         const MOST_WORDS: usize = 4;
         let is_named = self.accept("normal");
@@ -153,7 +153,7 @@ impl<'a> Reader<'a> {
         self.at
     }
 
-    /// Passes over the next word if it is this one.
+    /// Skips the next word if it is this one, and returns whether it is.
     #[inline]
     fn accept(&mut self, word: &str) -> bool {
         let start = self.next();
@@ -205,7 +205,7 @@ impl<'a> Reader<'a> {
         Ok(Parsed { mesh, notes, shell })
     }
 
-    /// Forgets solids without a facet; one that is alone is the file's own.
+    /// Forgets solids without a facet. A single solid is kept: it is that of the file.
     fn drop_empty_solids(&mut self, faces: usize) {
         let count = self.solids.len();
         let ends: Vec<usize> = self.solids.iter().skip(1).map(|&(first, _)| first).chain([faces]).collect();
@@ -254,7 +254,7 @@ impl SequentialReader<UsualFacets> for Reader<'_> {
     }
 }
 
-/// The names of several solids as a face layer; no name is no value.
+/// The names of several solids as a face layer. A face of a solid without a name has no value.
 fn objects(solids: &[(usize, &[u8])], faces: usize) -> Layer {
     let (mut pool, mut known, mut uses) = (Vec::new(), BTreeMap::new(), vec![NO_VALUE; faces]);
     let ends = solids.iter().skip(1).map(|&(first, _)| first).chain([faces]);

@@ -1,17 +1,17 @@
-//! Where the names of solids end in a text: with their line, or with the facet or `endsolid` that stands in it.
+//! Where the names of solids end in a text: at the end of the line, or at a facet or an `endsolid` on that line.
 //!
-//! A name may hold any words. So `facet` ends it only where all that begins a facet follows, and `endsolid` only where
-//! what comes after it can't belong to the same solid.
+//! A name may have any words. So `facet` ends it only if the whole beginning of a facet follows, and `endsolid` only
+//! if what comes after it can't belong to the same solid.
 
 use std::ops::Range;
 
 use crate::text::{self, is_blank, is_space};
 
-/// Finds the ends of names. It remembers where the next facet of a line begins, so that a line of many solids is searched
-/// once.
+/// Finds the ends of names. It remembers where the next facet of a line begins, so a line with many solids is
+/// searched once.
 pub(super) struct SolidNames<'a> {
     text: &'a [u8],
-    /// The part of a line before `next`, as far as it was searched.
+    /// The part of a line that was searched. It ends where `next` begins.
     searched: Range<usize>,
     next: Next,
 }
@@ -29,7 +29,7 @@ impl<'a> SolidNames<'a> {
         SolidNames { text, searched: 0..0, next: Next::LineEnd }
     }
 
-    /// Where the name ends that begins at a byte, after the word `solid`.
+    /// The end of the name that begins at a byte, after the word `solid`.
     pub(super) fn end(&mut self, at: usize) -> usize {
         let next = self.find_next(at);
         let end = self.searched.end;
@@ -41,8 +41,8 @@ impl<'a> SolidNames<'a> {
         if is_over { end_word } else { end }
     }
 
-    /// Where reading goes on after a name that is repeated at a byte, after the word `endsolid`: at the next solid of the
-    /// line if that has facets, else at the line's end.
+    /// Where reading goes on after the name at a byte, after the word `endsolid`: at the next solid of the line if
+    /// that has facets, else at the end of the line.
     pub(super) fn end_of_repeated(&mut self, at: usize, name: &[u8]) -> usize {
         let start = at + self.text[at..].iter().take_while(|&&b| is_blank(b)).count();
         let after =
@@ -56,7 +56,7 @@ impl<'a> SolidNames<'a> {
         if has_facet { self.find_word(at..end, b"solid").unwrap_or(end) } else { end }
     }
 
-    /// Finds the first facet that begins in the rest of the line, or the line's end.
+    /// Finds the first facet in the rest of the line, or the end of the line.
     fn find_next(&mut self, at: usize) -> Next {
         if self.searched.start <= at && at <= self.searched.end {
             return self.next;
@@ -75,14 +75,14 @@ impl<'a> SolidNames<'a> {
         words.find(|found| is(&self.text[found.clone()], word)).map(|found| found.start)
     }
 
-    /// Whether the line after this end goes on with a solid that has begun.
+    /// Whether the line after this end continues a solid.
     fn goes_on_after(&self, end: usize) -> bool {
         let next = text::skip_space(self.text, end, self.text.len());
         is(text::word(self.text, next), b"endsolid") || begins_facet_line(self.text, end)
     }
 }
 
-/// Whether a name would be taken for the beginning of a facet.
+/// Whether a name contains the beginning of a facet.
 pub(super) fn holds_facet(name: &[u8]) -> bool {
     let mut words = WordsOf { text: name, rest: 0..name.len() };
     words.any(|word| is(&name[word.clone()], b"facet") && begins_facet(name, word.end))
@@ -92,15 +92,14 @@ fn is(found: &[u8], word: &[u8]) -> bool {
     found.eq_ignore_ascii_case(word)
 }
 
-/// Whether the next word is `facet`, and begins one.
+/// Whether the next word is `facet` and begins a facet.
 fn begins_facet_line(text: &[u8], at: usize) -> bool {
     let start = text::skip_space(text, at, text.len());
     let word = text::word(text, start);
     is(word, b"facet") && begins_facet(text, start + word.len())
 }
 
-/// Whether what follows the word `facet` is the rest of a facet's beginning: up to four words, `outer loop vertex` and a
-/// number.
+/// Whether the beginning of a facet follows the word `facet`: up to four words, `outer loop vertex` and a number.
 fn begins_facet(text: &[u8], at: usize) -> bool {
     const MOST_WORDS: usize = 4;
     let mut words = text::words(&text[at..]);

@@ -1,4 +1,4 @@
-//! Polygons cut into triangles before they are written, as the repair cuts them.
+//! Polygons are cut into triangles before they are written, as the repair cuts them.
 
 use std::collections::BTreeSet;
 use std::io;
@@ -13,11 +13,11 @@ use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
 use crate::text::one_or_many;
 use crate::{Encoding, Loss, LossKind, Prepared, WriteErrorKind};
 
-/// Cuts every face of more than three corners into triangles that repeat no edge by position, and names what that loses.
-/// Faces that come back to a point are split there, or, if they have a hole, cut so that it stays open.
+/// Cuts every face of more than three corners into triangles that repeat no edge by position, and names the losses. A
+/// face that returns to a point is split there; if it has a hole, it is cut so that the hole stays open.
 ///
 /// # Errors
-/// When there are more triangles than a table holds.
+/// If there are more triangles than a table can hold.
 ///
 /// *Cost*: that of the repair's `triangulate`, if there is such a face.
 pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
@@ -45,7 +45,7 @@ pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind
     Ok(())
 }
 
-/// Faces as simple pieces.
+/// Splits faces into simple pieces.
 struct Simplifier<'a> {
     mesh: &'a PolygonMesh,
     lowest: &'a [VertexId],
@@ -121,17 +121,17 @@ impl Found {
     }
 }
 
-/// Room beside the vertices of a mesh.
+/// Finds points for new vertices where a mesh has no vertex.
 struct RoomBesideMesh<'a> {
     mesh: &'a PolygonMesh,
     encoding: Encoding,
-    /// The positions of all vertices, from the first new one on.
+    /// The positions of all vertices. It is made for the first new vertex.
     taken: Option<BTreeSet<[u64; 3]>>,
     created: usize,
 }
 
 impl RoomBesideMesh<'_> {
-    /// The first point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way at which there is no vertex.
+    /// The first point without a vertex at 1/2, 1/3, 2/3, 1/4, … 63/64 of the way.
     fn first_free(&mut self, ends: [Point; 2]) -> Option<OnDiagonal> {
         let positions = self.mesh.positions();
         let taken = self.taken.get_or_insert_with(|| positions.iter().copied().map(place_bits).collect());

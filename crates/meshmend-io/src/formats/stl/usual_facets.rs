@@ -1,4 +1,4 @@
-//! UsualFacets as almost all programs write them: seven lines, words in small letters, three vertices.
+//! Facets as almost all programs write them: seven lines, words in lower case, three vertices.
 
 use crate::formats::stl::normals::{Recomputed, roughly};
 use crate::text;
@@ -30,7 +30,7 @@ impl UsualRows for UsualFacets {
         Some(end)
     }
 
-    /// The next line that begins with `facet`, in letters of any size.
+    /// The next line that begins with `facet`, in any case.
     fn next_row(text: &[u8], at: usize) -> usize {
         let mut next = at;
         loop {
@@ -47,7 +47,7 @@ impl UsualRows for UsualFacets {
     }
 }
 
-/// One facet, and the bytes that it has.
+/// One facet, and its bytes.
 struct Facet {
     start: usize,
     normal: [f64; 3],

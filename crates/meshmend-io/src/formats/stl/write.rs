@@ -55,7 +55,7 @@ fn facet(normal: [f32; 3], points: [[f32; 3]; 3], attribute: u16) -> [u8; 50] {
     bytes
 }
 
-/// The stored header, to the byte, or an empty one.
+/// The stored header to the byte, or an empty one.
 fn header(mesh: &PolygonMesh) -> [u8; HEAD - 4] {
     let stored = mesh.metadata().iter().find(|m| m.key == HEADER).map_or(&[][..], |m| &m.value);
     let mut header = [0; HEAD - 4];
@@ -100,7 +100,7 @@ fn statement(sink: &mut Sink<'_>, word: &[u8], name: &[u8]) {
     sink.byte(b'\n');
 }
 
-/// A name that is read back as one: one line, in which no facet begins.
+/// A name that is read back as one name: on one line, without the beginning of a facet.
 fn solid_name(name: &[u8]) -> Vec<u8> {
     const FACET: &[u8] = b"facet";
     let safe = |b: &u8| if matches!(b, b'\n' | b'\r' | 0) { b' ' } else { *b };
@@ -144,7 +144,7 @@ fn single(mesh: &PolygonMesh, vertex: VertexId) -> [f32; 3] {
     [x as f32, y as f32, z as f32]
 }
 
-/// The layer whose numbers are written. Zeros alone are what a file without attributes has, and would be read as none.
+/// The layer whose numbers are written. Zeros alone would be read as no attributes, so they do not count.
 fn attribute_layer(mesh: &PolygonMesh) -> Option<(&Layer, &[u16])> {
     let layer = layer_of(mesh, ATTRIBUTE, Domain::Face, |layer| {
         matches!(layer.values(), Values::U16(_)) && layer.width() == 1
@@ -167,7 +167,7 @@ pub(super) fn losses(prepared: &Prepared) -> Vec<Loss> {
         if is_text { object_layer(mesh).map(|(l, _)| l) } else { attribute_layer(mesh).map(|(l, _)| l) };
     let mut losses = geometry_losses(prepared);
     losses.extend(layer_losses(mesh, written.as_slice()));
-    // A facet without a number of its own has 0.
+    // A facet without an attribute gets 0.
     losses.extend(written.filter(|_| !is_text).and_then(|layer| absent_loss(layer, absent(layer))));
     losses.extend(loose_losses(mesh));
     let written_keys: &[&str] = match (is_text, written) {
@@ -190,7 +190,7 @@ fn name_losses(mesh: &PolygonMesh, is_text: bool) -> Option<Loss> {
         headers.filter(|m| m.value.len() > HEAD - 4).count()
     };
     Loss::if_any(LossKind::Names, other, |n| {
-        one_or_many(n, "name is spelled otherwise", "names are spelled otherwise")
+        one_or_many(n, "name is spelled differently", "names are spelled differently")
     })
 }
 
@@ -220,8 +220,9 @@ fn geometry_losses(prepared: &Prepared) -> Vec<Loss> {
     .collect()
 }
 
-/// How many vertices are where an earlier one is, and are told from it by the mesh alone. Where each corner has a vertex of
-/// its own, as in an STL file that was read, nothing tells them apart; what rounding joins is named as such.
+/// How many vertices are at the place of an earlier one, and differ from it by index alone. In a mesh as read from a
+/// format without indices, in which each corner has its own vertex, that difference has no meaning. Another loss
+/// counts the vertices that rounding joins.
 fn parted_vertices(prepared: &Prepared, uses: &[u32]) -> usize {
     let is_without_indices = prepared.options.shell.format().is_some_and(|format| !format.has_indices());
     if is_without_indices && uses.iter().all(|&uses| uses < 2) {

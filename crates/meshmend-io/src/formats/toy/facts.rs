@@ -1,4 +1,5 @@
-//! What is known of the example of CONTRIBUTING: a line `toy`, then vertices `v x y z` and faces `f i j …`, counted from 0.
+//! What is known of the example of CONTRIBUTING: a line `toy`, then vertices `v x y z` and faces `f i j …`, counted
+//! from 0.
 
 use crate::Encoding;
 use crate::formats::facts::Facts;

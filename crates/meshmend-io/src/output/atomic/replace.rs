@@ -1,8 +1,8 @@
 //! A file is replaced all at once, or not at all.
 //!
-//! The new bytes go to a temporary file beside the target, are flushed to the disk, and then take the target's
-//! name in one step. Whatever goes wrong before that, the old file is as it was and the temporary file is
-//! removed. A run that is killed may leave its temporary file behind; the next run that writes to the same target
+//! The new bytes go to a temporary file beside the target, are flushed to the disk, and then take the name of the
+//! target in one step. If anything goes wrong before that, the old file stays as it was and the temporary file is
+//! removed. A run that is killed may leave its temporary file behind. The next run that writes to the same target
 //! removes it.
 
 use std::fs::{self, OpenOptions};
@@ -14,18 +14,18 @@ use super::file_system::FileSystem;
 use super::standing::Standing;
 use super::temporary::Temporary;
 
-/// Replaces a file by what a closure writes, or leaves it alone when the closure or the system fails.
+/// Replaces a file by what a closure writes, or leaves it alone if the closure or the system fails.
 ///
-/// The target may be the file that the bytes were read from. A symbolic link is followed. The new file has the
-/// permissions of the old one from its first byte, and its owner and group as far as the system allows; where there was
-/// no file, it has what the system gives to new ones. A file that may not be written is not replaced. What is no
-/// regular file, such as a pipe or a device, is written to directly.
+/// The target may be the file that the bytes were read from. Symbolic links are followed. The new file has the
+/// permissions of the old one from its first byte, and its owner and group as far as the system allows. Without an
+/// old file it has those of any new file. A file that must not be written is not replaced. A pipe, a device and the
+/// like are written to directly.
 ///
 /// # Errors
-/// What the closure returns, or what the system says.
+/// Those of the closure and of the system.
 ///
-/// *Cost*: beside the closure a few calls of the system, one of which waits for the disk, and a look at the
-/// names in the target's folder.
+/// *Cost*: that of the closure, and a few calls of the system. One of them waits for the disk, another one lists the
+/// folder of the target.
 pub fn replace_file<E: From<io::Error>>(
     path: &Path,
     fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
@@ -33,8 +33,7 @@ pub fn replace_file<E: From<io::Error>>(
     replace_file_on(&Disk, path, fill)
 }
 
-/// Where a file is that is written under a name: a chain of symbolic links is followed to its end, also if there is no
-/// file yet.
+/// The file that is written under a name: the end of a chain of symbolic links, whether that file exists or not.
 pub fn target_of(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| end_of_links(path))
 }
@@ -61,7 +60,8 @@ fn replace_file_on<E: From<io::Error>>(
         return Err(io::Error::from(io::ErrorKind::PermissionDenied).into());
     }
     if old.is_some() {
-        // Renaming asks for the folder's permission alone; a file that may not be written is not to be replaced.
+        // Renaming needs the permission of the folder alone, but a file that must not be written must not be
+        // replaced.
         OpenOptions::new().write(true).open(path)?;
     }
     let target = if old.is_some() { fs::canonicalize(path)? } else { end_of_links(path) };
@@ -72,7 +72,7 @@ fn replace_file_on<E: From<io::Error>>(
     Ok(temporary.take_the_name_of(&target)?)
 }
 
-/// Where a chain of symbolic links leads that ends at no file yet.
+/// The end of a chain of symbolic links, where no file exists yet.
 fn end_of_links(path: &Path) -> PathBuf {
     const LONGEST_CHAIN: usize = 40;
     let mut end = path.to_owned();

@@ -19,10 +19,11 @@ impl Standing {
         }
     }
 
-    /// Gives a new file that nobody else may read the owner, the group and then the permissions of this one.
+    /// Gives a new file, which nobody else may read yet, the owner, the group and then the permissions of the old
+    /// one.
     ///
-    /// Only the administrator can give a file away, and only to a group of one's own can it be lent. Where the group
-    /// can't be kept, its members get no more than everybody has.
+    /// Only the administrator can change the owner of a file, and other users can only choose among their own groups.
+    /// If the group can't be kept, its members get the permissions of everybody.
     #[cfg(unix)]
     pub(super) fn give_to(&self, file: &File) -> io::Result<()> {
         use std::os::unix::fs::{PermissionsExt, fchown};
@@ -42,7 +43,7 @@ impl Standing {
     }
 }
 
-/// Makes a new file one that only we may read and write.
+/// Lets only us read and write a new file.
 pub(super) fn only_for_us(options: &mut OpenOptions) {
     #[cfg(unix)]
     std::os::unix::fs::OpenOptionsExt::mode(options, 0o600);
@@ -56,7 +57,7 @@ fn owner_of(status: &Metadata) -> [u32; 2] {
     [status.uid(), status.gid()]
 }
 
-/// A mode in which a group may do what everybody may, and that lends no identity.
+/// A mode in which the group has the permissions of everybody, without the bits that lend an identity.
 #[cfg(unix)]
 fn without_group(mode: u32) -> u32 {
     (mode & 0o1707) | (mode & 0o007) << 3

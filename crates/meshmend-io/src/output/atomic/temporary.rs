@@ -1,7 +1,8 @@
-//! Temporary files: their names, whose they are, and what becomes of them.
+//! Temporary files: their names, their locks, and their removal.
 //!
-//! A temporary file has a random name, and whoever writes it holds a lock on it. So a file that nobody has locked is
-//! debris of a run that was killed, whatever numbers processes have and on whichever side of a container they are.
+//! A temporary file has a random name, and the run that writes it holds a lock on it. So a file without a lock is
+//! debris of a run that was killed. That also holds for runs in different containers, whatever their process numbers
+//! are.
 
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
@@ -23,17 +24,17 @@ pub(super) struct Temporary<'a, S: FileSystem> {
     path: PathBuf,
 }
 
-/// What the names of temporary files end in.
+/// The end of the names of temporary files.
 pub(super) const SUFFIX: &str = ".meshmend-tmp";
 
-/// How much of a target's name is in that of its temporary file: names have a longest length.
+/// How many bytes of the target's name are in the name of its temporary file. The length of names is limited.
 const LONGEST_STEM: usize = 120;
 
 /// How many random names are tried before the folder is blamed.
 const MOST_NAMES: usize = 100;
 
 impl<'a, S: FileSystem> Temporary<'a, S> {
-    /// An empty file beside a target, which may read and write it who may the old one.
+    /// An empty file beside a target, with the permissions of the old file.
     pub(super) fn beside(system: &'a S, target: &Path, old: Option<&Standing>) -> io::Result<Self> {
         let (folder, stem) = folder_and_stem(target)?;
         remove_debris(folder, &stem);
@@ -50,7 +51,7 @@ impl<'a, S: FileSystem> Temporary<'a, S> {
         Err(io::Error::from(io::ErrorKind::AlreadyExists))
     }
 
-    /// A new file of a name; nothing if another run took it for debris.
+    /// A new file of a name. Returns `None` if another run took it for debris.
     fn at(system: &'a S, path: PathBuf, old: Option<&Standing>) -> io::Result<Option<Self>> {
         let file = {
             let mut in_use = in_use();
@@ -58,7 +59,7 @@ impl<'a, S: FileSystem> Temporary<'a, S> {
             in_use.insert(path.clone());
             file
         };
-        // From here on the file is removed whatever happens.
+        // From here on the file is removed, whatever happens.
         let temporary = Temporary { system, file, path };
         if system.claim(&temporary.file) == Claim::Lost {
             return Ok(None);
@@ -74,7 +75,7 @@ impl<'a, S: FileSystem> Temporary<'a, S> {
             let _not_while_abandoning = in_use();
             self.system.rename(&self.path, target)?;
         }
-        // The new name must reach the disk as well. Where folders can't be synchronised there is nothing to do.
+        // The new name must reach the disk as well, as far as folders can be synchronised.
         if let (Ok((folder, _)), true) = (folder_and_stem(target), cfg!(unix)) {
             File::open(folder).and_then(|folder| folder.sync_all()).ok();
         }
@@ -84,14 +85,15 @@ impl<'a, S: FileSystem> Temporary<'a, S> {
 
 impl<S: FileSystem> Drop for Temporary<'_, S> {
     fn drop(&mut self) {
-        // After the renaming there is no such file, and nothing to remove.
+        // After the renaming the file does not exist any more.
         self.system.remove(&self.path).ok();
         in_use().remove(&self.path);
     }
 }
 
-/// Removes the temporary files that this process is writing, and does something before any file can take the name of
-/// its target or a new one can be begun: ends the process, that is, as a signal asks for. Targets stay as they were.
+/// Removes the temporary files that this process is writing, then runs a closure. Until that returns, no file can
+/// take the name of its target, and no new one can be made. The closure usually ends the process, as a signal asks
+/// for. Targets stay as they were.
 ///
 /// *Cost*: a call of the system for each file.
 pub fn abandon_temporary_files<R>(end: impl FnOnce() -> R) -> R {
@@ -108,7 +110,7 @@ fn in_use() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     IN_USE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Locks a new file, so that no other run takes it for debris. Where there are no locks its age protects it.
+/// Locks a new file, so that no other run takes it for debris. Without locks, its age protects it.
 pub(super) fn claim(file: &File) -> Claim {
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => Claim::Lost,
@@ -130,12 +132,12 @@ fn is_removed(_: &File) -> bool {
     false
 }
 
-/// A number that no other run comes to, made from the system's randomness.
+/// A random number that no other run draws.
 fn random() -> u64 {
     RandomState::new().hash_one(std::process::id())
 }
 
-/// The folder of a target, and what the names of its temporary files begin with.
+/// The folder of a target, and the start of the names of its temporary files.
 fn folder_and_stem(target: &Path) -> io::Result<(&Path, OsString)> {
     let name = target.file_name().ok_or_else(|| io::Error::from(io::ErrorKind::InvalidFilename))?;
     let folder = folder_of(target);
@@ -148,7 +150,7 @@ fn folder_and_stem(target: &Path) -> io::Result<(&Path, OsString)> {
     Ok((folder, stem))
 }
 
-/// Removes temporary files of this target that nobody writes any more. What can't be removed stays.
+/// Removes the temporary files of this target that no run is writing. Files that can't be removed stay.
 fn remove_debris(folder: &Path, stem: &OsStr) {
     let (Ok(entries), Some(stem)) = (fs::read_dir(folder), stem.to_str()) else { return };
     for entry in entries.flatten() {
@@ -163,8 +165,8 @@ fn remove_debris(folder: &Path, stem: &OsStr) {
     }
 }
 
-/// Removes a temporary file while its lock is held, so that nobody else can have begun to write it; where there are no
-/// locks, if it has not changed for long.
+/// Removes a temporary file while we hold its lock, so that no other run can be writing it. Without locks, it is
+/// removed if it has not changed for long.
 fn remove_if_abandoned(path: &Path) {
     let Ok(file) = OpenOptions::new().write(true).open(path) else { return };
     let is_abandoned = match file.try_lock() {
@@ -177,7 +179,7 @@ fn remove_if_abandoned(path: &Path) {
     }
 }
 
-/// Whether a file has changed within the hour, or can't be asked.
+/// Whether a file has changed within the last hour, or the system can't say.
 fn changed_lately(file: &File) -> bool {
     const LONGEST_PAUSE: Duration = Duration::from_secs(3600);
     let age = file.metadata().and_then(|status| status.modified()).map(|changed| changed.elapsed());

@@ -6,7 +6,7 @@ mod texts;
 
 use super::*;
 
-/// Plain rows are `x`; any other line is not plain, and `skip` goes on for two lines.
+/// The usual rows are `x`. Any other line is unusual, and `skip` spans two lines.
 #[derive(Default)]
 struct Crosses(usize);
 
@@ -70,7 +70,7 @@ fn counted(text: &[u8], chunk: usize, chunks: usize) -> (usize, Vec<&[u8]>) {
 }
 
 #[test]
-fn a_reader_is_given_all_that_is_plain_and_reads_the_rest() {
+fn a_reader_takes_the_usual_rows_and_reads_the_rest() {
     let text = b"x\nx\na\nx\nb\nc\nx\nx\n";
     for chunk in 1..20 {
         for chunks in 1..4 {
@@ -92,7 +92,7 @@ fn what_a_reader_has_passed_over_is_not_given_to_it() {
 }
 
 #[test]
-fn a_chunk_that_is_hardly_plain_is_left_to_the_reader() {
+fn a_chunk_with_few_usual_rows_is_left_to_the_reader() {
     let few = b"x\na\n".repeat(1000);
     let (given, read) = counted(&few, 1 << 20, 1);
     assert_eq!(given + read.len(), 2000);

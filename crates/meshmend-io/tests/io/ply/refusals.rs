@@ -8,7 +8,7 @@ use meshmend_io::{Encoding, Format, NoteKind, Place};
 fn a_negative_index_is_refused_in_strips_too_unless_it_restarts_them() {
     let header = format!("element vertex 1\n{XYZ}element tristrips 1\n{LIST}");
     let wrong = refused(ascii(&header, "0 0 0\n4 0 0 -2 -3\n"));
-    assert_eq!(wrong, (Place::Line(11), "-2 is no index of a vertex".to_owned()));
+    assert_eq!(wrong, (Place::Line(11), "-2 is not the index of a vertex".to_owned()));
 }
 
 #[test]
@@ -27,7 +27,7 @@ fn surplus_is_noted() {
 fn a_length_that_is_none_is_refused_with_its_line() {
     let header = format!("element vertex 1\n{XYZ}element face 1\nproperty list int int vertex_indices\n");
     let wrong = refused(ascii(&header, "0 0 0\n-1 0\n"));
-    assert_eq!(wrong, (Place::Line(10), "-1 is no length of a list".to_owned()));
+    assert_eq!(wrong, (Place::Line(10), "-1 is not the length of a list".to_owned()));
     let header = format!("element vertex 3\n{XYZ}element face 1\n{LIST}");
     let wrong = refused(ascii(&header, "0 0 0\n0 0 0\n0 0 0\n256 0 1\n"));
     assert_eq!(
@@ -39,9 +39,9 @@ fn a_length_that_is_none_is_refused_with_its_line() {
 #[test]
 fn wrong_values_are_refused_with_their_line() {
     for (index, reason) in [
-        ("-1", "-1 is no index of a vertex"),
+        ("-1", "-1 is not the index of a vertex"),
         ("3", "vertex 3 does not exist: the file has 3 vertices"),
-        ("2147483648", "2147483648 is no number of type `int`"),
+        ("2147483648", "2147483648 is not a number of type `int`"),
         ("x", "`x` where a whole number belongs"),
         ("", "row 1 of 1 of element `face` announces 4 values, its line has 3"),
     ] {
@@ -61,15 +61,15 @@ fn wrong_headers_are_refused() {
     for (header, reason) in [
         (format!("{vertex}element vertex 1\n"), "a second element `vertex`"),
         (format!("{vertex}property float x\n"), "element `vertex` has two properties `x`"),
-        ("element vertex -1\n".to_owned(), "`-1` is no number of elements"),
+        ("element vertex -1\n".to_owned(), "`-1` is not a number of elements"),
         (
             "element vertex 99999999999999999999\n".to_owned(),
-            "`99999999999999999999` is no number of elements",
+            "`99999999999999999999` is not a number of elements",
         ),
         ("property float x\n".to_owned(), "a property before the first element"),
-        ("element vertex 1\nproperty half x\n".to_owned(), "`half` is no type"),
+        ("element vertex 1\nproperty half x\n".to_owned(), "`half` is not a type"),
         ("format ascii 1.0\n".to_owned(), "a second format"),
-        ("nonsense\n".to_owned(), "`nonsense` is no statement of a header"),
+        ("nonsense\n".to_owned(), "`nonsense` is not a statement of a header"),
         (
             "element vertex 1\nproperty float x\nproperty float y\n".to_owned(),
             "vertices without a number `z`",

@@ -1,4 +1,4 @@
-//! Whatever is parsed ahead, and wherever chunks end: the answer is that of the reader alone.
+//! Whatever is parsed ahead, and wherever chunks end, the result is that of the sequential reader alone.
 
 use super::random::Random;
 use crate::formats::drivers::driver;
@@ -6,7 +6,7 @@ use crate::input::source::Source;
 use crate::text::speculative_parse::Pace;
 use crate::{Format, Limits};
 
-/// How often, once in so many lines, there is something that is not plain, and something that is wrong.
+/// In how many lines there is one that is rare, and one that is wrong.
 #[derive(Clone, Copy)]
 pub(super) struct Oddity {
     pub(super) rare: usize,
@@ -21,7 +21,7 @@ const ODDITIES: [Oddity; 5] = [
     Oddity { rare: 0, wrong: 40 },
 ];
 
-/// What a reader says, down to the bits of each number.
+/// The result of a reader, down to the bits of each number.
 fn outcome(format: Format, text: &str, pace: Pace, limits: &Limits) -> String {
     let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace };
     match (driver(format).read)(&source, limits) {
@@ -37,8 +37,8 @@ fn assert_as_alone(format: Format, text: &str, chunks: &[usize]) {
         let alone = outcome(format, text, Pace::NONE, &limits);
         for &chunk in chunks {
             for chunks in [1, 3] {
-                let ahead = outcome(format, text, Pace { chunk, chunks }, &limits);
-                assert_eq!(ahead, alone, "{chunks} chunks of {chunk} bytes, {limits:?}: {text:?}");
+                let early = outcome(format, text, Pace { chunk, chunks }, &limits);
+                assert_eq!(early, alone, "{chunks} chunks of {chunk} bytes, {limits:?}: {text:?}");
             }
         }
     }

@@ -61,7 +61,7 @@ fn obj(random: &mut Random, lines: usize, oddity: Oddity) -> String {
         if random.one_in(10) {
             forms = random.of(&["", "/1", "//1", "/2/1", "//9", "/7"]);
         }
-        let plain = if line % 3 == 0 {
+        let usual = if line % 3 == 0 {
             vertices += 1;
             let count = [3, colored][random.below(2)];
             format!("v {}", random.numbers(count))
@@ -79,7 +79,7 @@ fn obj(random: &mut Random, lines: usize, oddity: Oddity) -> String {
                 face
             })
         };
-        all.push(format!("{before}{plain}{after}"));
+        all.push(format!("{before}{usual}{after}"));
         if random.one_in(oddity.rare) {
             all.push(random.of(&RARE).to_owned());
         }
