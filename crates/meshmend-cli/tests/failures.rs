@@ -23,7 +23,8 @@ fn every_status_comes_with_its_reason() {
     repair(&["--plan", &no_plan]).fails(2, "unknown field `distnace`");
     repair(&["--plan", &folder.at("missing.toml")]).fails(2, "missing.toml: ");
     repair(&["--plan", &endless]).fails(2, "endless.toml: too long for a plan");
-    repair(&["--plan", &no_distance]).fails(2, "weld: a tolerance of -1 is no distance");
+    repair(&["--plan", &no_distance])
+        .fails(2, "weld: a tolerance must be a finite number of 0 or more, not -1");
     meshmend(&["convert", &broken, &nameless]).fails(2, "out.xyz: the name tells no format");
     meshmend(&["convert", &broken, &out, "--encoding", "binary"]).fails(2, "OBJ has no such encoding");
     meshmend(&["check", &folder.at("missing.obj")]).fails(3, "missing.obj: ");
@@ -32,6 +33,6 @@ fn every_status_comes_with_its_reason() {
     meshmend(&["repair", &pinched, "--kernel", "half-edge", "-o", &out])
         .fails(5, "half-edge kernel can't hold");
     meshmend(&["repair", &band, "--non-orientable", "fail", "-o", &out])
-        .fails(5, "orient: the policy is `fail`, and there are 1 non-orientable patches");
+        .fails(5, "orient: the policy is `fail`, and the mesh has non-orientable patches: 1 (");
     assert!(!folder.names().contains(&"out.obj".to_owned()), "what fails writes nothing");
 }

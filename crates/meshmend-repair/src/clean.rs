@@ -5,15 +5,15 @@
 //!
 //! 1. Faces with a corner whose position is not finite go (policy: drop, keep or fail).
 //! 2. Consecutive repeats and spikes are folded away.
-//! 3. A face that comes back to a vertex is split there into simple faces; what has fewer than three corners goes. But if
-//!    it has a hole (some part of it turns against the whole), it is cut along diagonals, so that nothing is filled.
+//! 3. A face that comes back to a vertex is split there into simple faces; parts of fewer than three corners go. But if
+//!    the face has a hole (some part of it turns against the whole), it is cut along diagonals, so that no hole is filled.
 //! 4. Of faces with the same directed cycle of vertices *as stored* the first stays, and of those that differ from it
-//!    the first of each kind (policy: keep what differs, or drop it).
+//!    the first of each kind (policy: keep those that differ, or drop them).
 //!
 //! *Promises* no degenerate or non-simple face, no non-finite face (unless kept), no repeat as stored. *Requires*
-//! nothing. *May introduce* boundary edges and what follows from them where a face went, parts of faces that are
-//! another face again, and a non-manifold edge where faces with holes leave a diagonal no other place. *Cost*:
-//! O(n log n); as for [`Triangulate`](crate::Triangulate) in faces with holes. *Source*: the multiple-incidence repairs of A. Bærentzen, *On the Topology
+//! nothing. *May introduce* boundary edges and what follows from them where a face went, parts of faces that repeat
+//! another face, and a non-manifold edge where faces with holes leave a diagonal no other place. *Cost*: O(n log n);
+//! for faces with holes as [`Triangulate`](crate::Triangulate). *Source*: the multiple-incidence repairs of A. Bærentzen, *On the Topology
 //! of Polygonal Meshes*, 2025.
 
 use std::borrow::Cow;
@@ -40,34 +40,34 @@ use repeats::repeats;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Clean {
-    /// What to do with faces that have a corner whose position is not finite.
+    /// What happens to faces that have a corner whose position is not finite.
     pub non_finite: NonFinite,
-    /// What to do with faces that repeat another one but differ from it. In a pipeline `orient` and `split` do the same.
+    /// What happens to faces that repeat another one but differ from it. In a pipeline `orient` and `split` do the same.
     pub repeated: Repeated,
 }
 
-/// What to do with faces that repeat another one but differ from it: in material, object, group, solid, part or colour,
+/// What happens to faces that repeat another one but differ from it: in material, object, group, solid, part or colour,
 /// or in texture coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Repeated {
-    /// Keep them, and say in what they differ.
+    /// They are kept, and the record says in what they differ.
     #[default]
     KeepDifferent,
-    /// Keep the first alone, and say what went with the others.
+    /// Only the first is kept, and the record says what went with the others.
     Drop,
 }
 
-/// What to do with faces that have a corner whose position is not finite.
+/// What happens to faces that have a corner whose position is not finite.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NonFinite {
-    /// Remove them, and say which.
+    /// They are removed and named.
     #[default]
     Drop,
-    /// Keep them: topology does not mind.
+    /// They are kept: topology does not depend on positions.
     Keep,
-    /// Give up.
+    /// The repair gives up.
     Fail,
 }
 
@@ -113,18 +113,18 @@ impl Pass for Clean {
         }
         let pieces = self.simple_pieces(mesh)?;
         context.check_cancelled()?;
-        let names = stored_names(mesh, context);
+        let stored = stored_vertices(mesh, context);
         let telling = match self.repeated {
             Repeated::KeepDifferent => context.telling,
             Repeated::Drop => TellingLayers::Only(&[]),
         };
-        let repeats = pieces.sorted_repeats(mesh, &names, telling);
-        drop(names);
+        let repeats = pieces.sorted_repeats(mesh, &stored, telling);
+        drop(stored);
         pieces.into_outcome(mesh, repeats)
     }
 }
 
-/// Whether there is nothing that this pass might mend. A repeat as stored is one of the mesh too.
+/// Whether this pass has nothing to fix. A repeat as stored is also a repeat of the mesh.
 fn is_clean(report: &TopologyReport) -> bool {
     report.degenerate_faces == 0
         && report.non_simple_faces == 0
@@ -136,7 +136,7 @@ fn is_clean(report: &TopologyReport) -> bool {
 /// The faces that stay, as pieces of old ones.
 struct Pieces<'a> {
     faces: &'a FaceTable,
-    /// Absent when each face stays as it is.
+    /// Absent if each face stays as it is.
     listed: Option<Listed>,
     fixed: Vec<Defect>,
 }
@@ -144,9 +144,9 @@ struct Pieces<'a> {
 /// Pieces that repeat an earlier one.
 #[derive(Default)]
 struct Repeats {
-    /// Those that go: piece, the one that it repeats, and in what it differs from that all the same.
+    /// Those that go: the piece, the one that it repeats, and in what it differs from that one nevertheless.
     dropped: Vec<(u32, u32, Differences)>,
-    /// Those that differ and stay, likewise.
+    /// Those that differ and stay, in the same form.
     kept: Vec<(u32, u32, Differences)>,
 }
 
@@ -248,8 +248,8 @@ impl Listed {
     }
 }
 
-/// For each corner the vertex as stored that is there; for one of a created vertex a number beyond those.
-fn stored_names<'a>(mesh: &'a PolygonMesh, context: &Context<'a>) -> Cow<'a, [VertexId]> {
+/// The vertex as stored behind each corner. Created vertices have ids beyond those of stored ones.
+fn stored_vertices<'a>(mesh: &'a PolygonMesh, context: &Context<'a>) -> Cow<'a, [VertexId]> {
     let present = mesh.faces().corner_vertices();
     let Some(history) = context.history else { return Cow::Borrowed(present) };
     let (corners, stored) = (&history.provenance().corners, history.stored());
@@ -257,11 +257,11 @@ fn stored_names<'a>(mesh: &'a PolygonMesh, context: &Context<'a>) -> Cow<'a, [Ve
     if corners.is_same() {
         return Cow::Borrowed(&stored_vertices[..present.len()]);
     }
-    let name = |(corner, present): (usize, &VertexId)| match corners.of(CornerId::new(corner)) {
+    let behind = |(corner, present): (usize, &VertexId)| match corners.of(CornerId::new(corner)) {
         Some(old) => stored_vertices[old.index()],
         None => VertexId::new(stored.counts().vertices + present.index()),
     };
-    present.iter().enumerate().map(name).collect()
+    present.iter().enumerate().map(behind).collect()
 }
 
 impl Pieces<'_> {
@@ -282,20 +282,20 @@ impl Pieces<'_> {
         range.map(move |at| listed.map_or(CornerId::new(at), |corners| corners[at]))
     }
 
-    /// Pairs (first, later) of pieces with the same directed cycle of vertices, which have these names.
-    fn repeats(&self, names: &[VertexId]) -> Vec<(u32, u32)> {
+    /// Pairs (first, later) of pieces with the same directed cycle of vertices as stored.
+    fn repeats(&self, behind: &[VertexId]) -> Vec<(u32, u32)> {
         let (faces, count) = (self.faces, self.count());
         match &self.listed {
-            None => repeats(count, |face| names[faces.corner_range(FaceId(face))].iter().copied()),
+            None => repeats(count, |face| behind[faces.corner_range(FaceId(face))].iter().copied()),
             Some(listed) => {
-                repeats(count, |piece| listed.corners_of(piece as usize).iter().map(|c| names[c.index()]))
+                repeats(count, |piece| listed.corners_of(piece as usize).iter().map(|c| behind[c.index()]))
             }
         }
     }
 
-    /// The repeats, those that go apart from those that differ by some layers and stay.
-    fn sorted_repeats(&self, mesh: &PolygonMesh, names: &[VertexId], telling: TellingLayers<'_>) -> Repeats {
-        let pairs = self.repeats(names);
+    /// The repeats: those that go, and those that stay because they differ in some layer.
+    fn sorted_repeats(&self, mesh: &PolygonMesh, behind: &[VertexId], telling: TellingLayers<'_>) -> Repeats {
+        let pairs = self.repeats(behind);
         let all = if pairs.is_empty() { None } else { Telling::of(mesh, TellingLayers::All) };
         let Some(all) = all else {
             let dropped = pairs.into_iter().map(|(first, later)| (later, first, Differences::default()));
@@ -306,7 +306,7 @@ impl Pieces<'_> {
         for pairs in pairs.chunk_by(|one, other| one.0 == other.0) {
             let mut pieces = vec![pairs[0].0];
             pieces.extend(pairs.iter().map(|pair| pair.1));
-            let looks: Vec<Looks> = pieces.iter().map(|&piece| self.looks(piece, names)).collect();
+            let looks: Vec<Looks> = pieces.iter().map(|&piece| self.looks(piece, behind)).collect();
             let first_alike = telling.as_ref().map_or(vec![0; looks.len()], |by| by.first_alike(&looks));
             for (place, &first) in first_alike.iter().enumerate().skip(1) {
                 let (original, list) =
@@ -318,8 +318,8 @@ impl Pieces<'_> {
         repeats
     }
 
-    fn looks(&self, piece: u32, names: &[VertexId]) -> Looks {
-        let corners = self.corners(piece as usize).map(|corner| (names[corner.index()], corner));
+    fn looks(&self, piece: u32, behind: &[VertexId]) -> Looks {
+        let corners = self.corners(piece as usize).map(|corner| (behind[corner.index()], corner));
         Looks::new(self.face(piece as usize), corners.collect())
     }
 
@@ -353,7 +353,7 @@ impl Pieces<'_> {
     }
 }
 
-/// The repeats that stay, by the numbers that they get where others go. None go where nothing says which.
+/// The repeats that stay, by the ids that they get. No face goes if `is_kept` is empty.
 fn differing_faces(kept: &[(u32, u32, Differences)], is_kept: &[bool]) -> Vec<Defect> {
     if kept.is_empty() {
         return Vec::new();
@@ -379,7 +379,7 @@ mod tests {
 
     use crate::{PassKind, Plan, TriangulateFaces};
 
-    /// A vertex that triangulating created has the number of a vertex as stored that welding had joined to another.
+    /// A vertex that triangulating created has the id of a vertex as stored that welding had joined to another one.
     #[test]
     fn a_created_vertex_is_no_stored_one() {
         let square = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[x, y]| [f64::from(x), f64::from(y), 0.0]);

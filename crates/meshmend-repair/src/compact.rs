@@ -1,15 +1,15 @@
 //! Removes what no face uses, and names it.
 //!
-//! *Why*: unreferenced vertices change bounding boxes and counts, and loose edges and points make exporters write
-//! elements that nobody asked for.
+//! *Why*: unreferenced vertices change bounding boxes and counts, and exporters write loose edges and points as elements
+//! that were not asked for.
 //!
-//! A mesh without a face as stored is a point cloud or a set of lines: they are what it is about, and all of it stays.
+//! A mesh without a face as stored is a point cloud or a set of lines. These are its content, and all of it stays.
 //!
 //! 1. Loose edges and points go (policy: remove or keep, each).
 //! 2. Vertices that no face and no kept loose element uses go; the others keep their order.
 //!
 //! *Promises* no unreferenced vertex but those of kept loose elements, if there is a face as stored. *Requires* that degenerate
-//! faces are gone, as their vertices stay with them. *May introduce* nothing. *Cost*: linear.
+//! faces are gone, as their vertices stay with them. *May introduce* no defect. *Cost*: linear.
 
 use meshmend_core::{Defect, DefectKind, Draft, Id, Loose, PolygonMesh, Sources, VertexId};
 use serde::{Deserialize, Serialize};
@@ -30,10 +30,10 @@ pub struct Compact {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LooseElements {
-    /// Remove them, and say which.
+    /// They are removed and named.
     #[default]
     Remove,
-    /// Keep them and their vertices.
+    /// They are kept, and so are their vertices.
     Keep,
 }
 

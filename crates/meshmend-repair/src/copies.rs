@@ -1,8 +1,8 @@
-//! Faces that run round the same vertices in the same direction as another one, and are there because they differ.
+//! Faces that repeat another one, in the same direction, and are kept because they differ from it.
 //!
 //! A decal lies on a body, and a second object on a first one, without being sewn to it: two sides of such faces are never
-//! matched with each other. Where they have neighbours, each is matched among those of its *rank*: the face that comes
-//! first among the differing ones and all faces that repeat none have rank 0, the next of them rank 1, and so on.
+//! matched with each other. If such faces have neighbours, each is matched among the faces of its *rank*. The first of the
+//! differing faces has rank 0, as have all faces that repeat no other; the next one has rank 1, and so on.
 
 use meshmend_core::{Column, Connectivity, CornerId, FaceId, PolygonMesh};
 use meshmend_topology::{AlikeFace, alike_faces};
@@ -10,7 +10,7 @@ use meshmend_topology::{AlikeFace, alike_faces};
 use crate::Context;
 use crate::telling::{Looks, Telling};
 
-/// No directed cycle that several differing faces have.
+/// Stands for the cycle of a face that no differing face has in common with it.
 const NONE: u32 = u32::MAX;
 
 /// Which faces repeat others and differ from them.
@@ -29,7 +29,7 @@ struct Copied {
 impl Copies {
     /// The differing repeats among the faces of a mesh, if there are any.
     ///
-    /// *Cost*: that of [`alike_faces`] where some layer tells faces apart, else nothing.
+    /// *Cost*: that of [`alike_faces`] if some layer tells faces apart, else constant.
     pub(crate) fn find<K: Connectivity>(
         kernel: &K,
         mesh: &PolygonMesh,
@@ -42,7 +42,7 @@ impl Copies {
         Self::among(kernel, mesh, &alike_faces(kernel), &telling)
     }
 
-    /// The differing repeats among groups of faces that are alike but for their direction, if there are any.
+    /// The differing repeats among groups of faces that are alike up to direction, if there are any.
     pub(crate) fn among<K: Connectivity>(
         kernel: &K,
         mesh: &PolygonMesh,
@@ -99,7 +99,8 @@ pub(crate) fn looks<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, face: FaceI
     Looks::new(face, kernel.face_corners(face).map(named).collect())
 }
 
-/// For each place its class's number, by the place of the first of each class.
+/// For each place the number of its class, in the order in which classes first appear. Given is for each place the first
+/// place of its class.
 fn ranks(first_alike: &[usize]) -> Vec<u32> {
     let mut ranks: Vec<u32> = Vec::with_capacity(first_alike.len());
     let mut next = 0;

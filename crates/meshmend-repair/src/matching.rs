@@ -5,8 +5,8 @@
 //! 1. two uses that are the only two of their edge by vertices *as stored* are matched;
 //! 2. two uses that are the only two of their edge by the present (welded) vertices are matched, if both are free.
 //!
-//! Two uses of faces that run round the same vertices in the same direction and differ are never matched; see
-//! [`Copies`] for what is, where such faces have neighbours.
+//! Two uses of faces that run round the same vertices in the same direction and differ are never matched. If such faces
+//! have neighbours, [`Copies`] says what is matched.
 //!
 //! Faces joined across matched uses make a *patch* of the repair.
 
@@ -41,7 +41,7 @@ impl Matching {
         for edge in kernel.edges() {
             let mut corners = kernel.edge_corners(edge);
             match (corners.next(), corners.next(), corners.next()) {
-                // Two are a pair by one rule or the other.
+                // Two uses are a pair by one rule or the other.
                 (Some(one), Some(other), None) if may_match(kernel, copies, one, other) => {
                     matching.pair(one, other);
                 }
@@ -61,7 +61,7 @@ impl Matching {
         matching
     }
 
-    /// Adds the pairs of [`pairs_by_rank`] at each edge of three sides or more where both are free.
+    /// Adds the pairs of [`pairs_by_rank`] at each edge of three sides or more, if both sides are free.
     ///
     /// *Cost*: O(Σ d log d) over the degrees d of those edges.
     pub(crate) fn pair_by_rank<K: Connectivity>(
@@ -117,7 +117,7 @@ impl Matching {
     }
 }
 
-/// Whether two sides may be matched: not if their faces are copies that differ.
+/// Whether two sides may be matched. They may not if their faces are copies that differ.
 pub(crate) fn may_match<K: Connectivity>(
     kernel: &K,
     copies: Option<&Copies>,
@@ -127,9 +127,10 @@ pub(crate) fn may_match<K: Connectivity>(
     copies.is_none_or(|copies| !copies.are_apart(kernel.corner_face(one), kernel.corner_face(other)))
 }
 
-/// The pairs of an edge at which there are copies, its uses being sorted by what they join as stored: two that are the
-/// only two of their rank at their edge as stored, then two that are the only two of their rank at the whole edge. Only
-/// uses that run against each other are paired: turning a face could give others their rank, and so never come to an end.
+/// The pairs of an edge at which there are copies: two uses that are the only two of their rank at their edge as stored,
+/// then two that are the only two of their rank at the whole edge. The uses are given sorted by what they join as stored.
+///
+/// Only uses that run against each other are paired. Else turning a face could change the ranks of others without end.
 pub(crate) fn pairs_by_rank<K: Connectivity>(
     kernel: &K,
     copies: &Copies,
@@ -152,7 +153,7 @@ pub(crate) fn pairs_by_rank<K: Connectivity>(
     pairs
 }
 
-/// The corners of uses that are exactly two.
+/// The corners of uses, if they are exactly two.
 fn the_two(uses: &[StoredUse]) -> Option<(CornerId, CornerId)> {
     if let [one, other] = uses { Some((one.corner, other.corner)) } else { None }
 }

@@ -5,13 +5,13 @@
 //!
 //! 1. On the patches of rule 1 alone, with the directions as stored, drop duplicate patches: a doubled object goes
 //!    whole, and a closed solid that merely touches another one is never torn.
-//! 2. On the patches of rules 1 and 2 orient, drop duplicate patches, and again until there is none. Only edges that
-//!    lost a side and patches that merged are looked at again.
+//! 2. On the patches of rules 1 and 2, orient and drop duplicate patches, again and again until there is none. Only edges
+//!    that lost a side and patches that merged are looked at again.
 //! 3. Opposite duplicates (double-sided walls) stay, unless the policy says otherwise. If some go, step 2 is done again.
 //! 4. A flipped face keeps its first corner first and reverses the rest.
 //!
-//! A patch without a consistent side is left as it is and named with a witness; or the policy cuts it or gives up. Where
-//! patches are turned outward, those that have no outer side are named, and the walls of hollows that were turned.
+//! A patch without a consistent orientation is left as it is and named with a witness; or the policy cuts it or gives up.
+//! If patches are turned outward, those that have no outer side are named, and the walls of hollows that were turned.
 //!
 //! *Promises* no inconsistent edge in any orientable patch. *Requires* simple faces, so that duplicates are those of the
 //! text; it works on any faces. *May introduce* boundary edges where duplicates went, and unreferenced vertices. *Cost*:

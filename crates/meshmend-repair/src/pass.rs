@@ -75,7 +75,7 @@ pub enum PassError {
     #[error(transparent)]
     Refused(#[from] Refusal),
     /// A policy of the pass says that such a mesh is not to be repaired.
-    #[error("{pass}: the policy is `fail`, and there are {} {}: {}", defects.len(), kind.title(), Named(defects.first()))]
+    #[error("{pass}: the policy is `fail`, and the mesh has {}: {}{}", kind.title(), defects.len(), Named(defects.first()))]
     Policy {
         /// The pass.
         pass: &'static str,
@@ -114,12 +114,12 @@ pub enum PassError {
     Draft(#[from] DraftError),
 }
 
-/// A defect in a message, if there is one.
+/// A defect in brackets, if there is one.
 struct Named<'a>(Option<&'a Defect>);
 
 impl std::fmt::Display for Named<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.0.map_or(Ok(()), |defect| defect.fmt(f))
+        self.0.map_or(Ok(()), |defect| write!(f, " ({defect})"))
     }
 }
 

@@ -416,15 +416,18 @@ mod tests {
             ),
             (
                 failure(&no_infinity, &infinite),
-                "clean: the policy is `fail`, and there are 1 faces with non-finite corners: \
-                 f0 uses v2, which is not finite",
+                "clean: the policy is `fail`, and the mesh has faces with non-finite corners: 1 \
+                 (f0 uses v2, which is not finite)",
             ),
             (
                 failure(&no_band, &shapes::moebius_band(6, 1, shapes::Tiles::Quads).soup),
-                "orient: the policy is `fail`, and there are 1 non-orientable patches: \
-                 a strip of 6 faces from f0 comes back reversed",
+                "orient: the policy is `fail`, and the mesh has non-orientable patches: 1 \
+                 (a strip of 6 faces from f0 comes back reversed)",
             ),
-            (failure(&no_distance, &triangle), "weld: a tolerance of -1 is no distance"),
+            (
+                failure(&no_distance, &triangle),
+                "weld: a tolerance must be a finite number of 0 or more, not -1",
+            ),
             (
                 failure(&Pipeline::default(), &infinite),
                 "the repair would remove the only face: faces with non-finite corners: 1, because of \

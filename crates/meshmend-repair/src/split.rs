@@ -1,20 +1,20 @@
 //! Takes a mesh apart until it is manifold, and no further.
 //!
-//! *Why*: most data structures and tools need manifold meshes, and many get them by deleting faces. Here nothing is
-//! deleted: vertices are given copies.
+//! *Why*: most data structures and tools need manifold meshes, and many tools get them by deleting faces. This pass deletes
+//! no face: it makes copies of vertices.
 //!
 //! 1. Match sides that are beyond doubt: rules 1 and 2 of the text. A face that repeats another one and differs from it
 //!    is not sewn to it.
-//! 2. Where a non-orientable patch is to be cut, part the matched sides that run the same way: they are a seam.
+//! 2. If non-orientable patches are cut, part their matched sides that run the same way: they are a seam.
 //! 3. At edges of degree three or more, match what is free by policy: into sheets, or not at all.
 //! 4. The new vertices are the classes of corners that are joined across matched sides, so a vertex has exactly one
 //!    umbrella, and the result is manifold by construction.
 //! 5. Different edges that would join the same two vertices are subdivided, each by a vertex of its own.
 //!
 //! *Promises* no non-manifold edge and no non-manifold vertex (with `pinch-only`: no pinched vertex among edges of
-//! degree one and two). *Requires* simple, consistently oriented faces for its sheets to be meaningful; works on
-//! any. *May introduce* boundary edges, corners where edges are subdivided, and a patch without a consistent side that
-//! was hidden by a non-manifold edge. *Cost*: O(n log d) for edges of degree d. *Source*: A. Guéziec, G. Taubin,
+//! degree one and two). *Requires* simple, consistently oriented faces, so that its sheets mean something; it works on any
+//! faces. *May introduce* boundary edges, corners where edges are subdivided, and a patch without a consistent
+//! orientation that a non-manifold edge had hidden. *Cost*: O(n log d) for edges of degree d. *Source*: A. Guéziec, G. Taubin,
 //! F. Lazarus, W. Horn, *Cutting and stitching*, 2001, for splitting by matching; the sheets follow the text.
 
 use meshmend_core::{
@@ -41,7 +41,7 @@ pub use seams::SeamFigures;
 pub struct Split {
     /// What happens at edges of degree three or more.
     pub edges: SplitEdges,
-    /// What happens to patches that have no consistent side.
+    /// What happens to patches that have no consistent orientation.
     pub seams: Seams,
 }
 
@@ -58,14 +58,14 @@ pub enum SplitEdges {
     PinchOnly,
 }
 
-/// What happens to patches that have no consistent side.
+/// What happens to patches that have no consistent orientation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Seams {
     /// They stay whole.
     #[default]
     Keep,
-    /// They are opened along the edges at which their faces' sides clash, after which they can be oriented.
+    /// They are opened along the edges at which sides run the same way. Then they can be oriented.
     Cut,
 }
 
@@ -91,7 +91,7 @@ impl Pass for Split {
         &[
             DefectKind::BoundaryEdge,
             DefectKind::CoincidentVertex,
-            // In a patch that by vertices as stored has no consistent side, but hung together otherwise before.
+            // In a patch that has no consistent orientation by vertices as stored, and was joined otherwise before.
             DefectKind::InconsistentEdge,
             DefectKind::NonOrientablePatch,
             // A triangle one of whose edges is subdivided.
@@ -254,7 +254,7 @@ impl Task<'_> {
     }
 }
 
-/// The vertices that came apart, but for the ends of edges that were cut open: there the edge is named.
+/// The vertices that came apart, except the ends of edges that were cut open: there the edge is named.
 fn vertices_fixed(parts: &VertexParts) -> impl Iterator<Item = Defect> + '_ {
     let by_vertex = parts.parts.chunk_by(|one, next| one.vertex == next.vertex);
     let came_apart = parts.vertices.iter().zip(by_vertex).filter(|(_, parts)| parts.len() > 1);

@@ -1,7 +1,7 @@
 //! What tells a face from another one over the same vertices: a material, an object, a colour, texture coordinates.
 //!
-//! A face that repeats another one is rubbish, unless it looks otherwise or belongs elsewhere. Layers are compared by the
-//! bits of their values, whatever pools those are in, and a mesh without layers that count is not looked at at all.
+//! A face that repeats another one is rubbish, unless it looks different or belongs to something else. Layers are compared
+//! by the bits of their values, whatever pools these are in. A mesh without layers that count costs no time.
 
 use meshmend_core::{
     Aspect, CornerId, Differences, Domain, FaceId, Id, Layer, PolygonMesh, Values, VertexId,
@@ -13,7 +13,7 @@ pub enum TellingLayers<'a> {
     /// All that [`Aspect::of_layer`] knows.
     #[default]
     All,
-    /// Those of them for which this says so, by their place in the mesh; what is missing does not.
+    /// Those of them for which the list says `true`, by their place in the mesh. A layer beyond its end is left out.
     Only(&'a [bool]),
 }
 
@@ -26,18 +26,18 @@ impl TellingLayers<'_> {
     }
 }
 
-/// The corners of a face with what their vertices are called, by these names.
-pub(crate) type NamedCorners = Vec<(VertexId, CornerId)>;
+/// The corners of a face, each with its vertex.
+pub(crate) type FaceCorners = Vec<(VertexId, CornerId)>;
 
 /// A face with its corners, as it is compared.
 pub(crate) struct Looks {
     face: FaceId,
-    corners: NamedCorners,
+    corners: FaceCorners,
 }
 
 impl Looks {
-    /// The corners of faces that are compared have the same names, in whichever direction they run.
-    pub(crate) fn new(face: FaceId, mut corners: NamedCorners) -> Self {
+    /// Faces that are compared have the same vertices, in whichever direction they run.
+    pub(crate) fn new(face: FaceId, mut corners: FaceCorners) -> Self {
         corners.sort_unstable();
         Looks { face, corners }
     }
@@ -49,7 +49,7 @@ pub(crate) struct Telling<'a> {
 }
 
 impl<'a> Telling<'a> {
-    /// Nothing if no layer does. A layer of the vertices can't: faces that are compared have the same.
+    /// Returns `None` if there are none. Layers of vertices are left out: faces that are compared have the same vertices.
     pub(crate) fn of(mesh: &'a PolygonMesh, telling: TellingLayers<'_>) -> Option<Self> {
         let layers = mesh
             .layers()
@@ -61,7 +61,7 @@ impl<'a> Telling<'a> {
         (!layers.is_empty()).then_some(Telling { layers })
     }
 
-    /// For each of some faces over the same vertices the place of the first one from which it does not differ.
+    /// For each of some faces over the same vertices, the place of the first one from which it does not differ.
     ///
     /// *Cost*: O(n log n) comparisons of what the faces have in the layers.
     pub(crate) fn first_alike(&self, faces: &[Looks]) -> Vec<usize> {
@@ -93,7 +93,7 @@ impl<'a> Telling<'a> {
     }
 }
 
-/// What a face has in a layer, as bytes that are equal for equal values alone.
+/// What a face has in a layer, as bytes that are equal only for equal values.
 fn push_values(layer: &Layer, face: &Looks, bytes: &mut Vec<u8>) {
     match layer.domain() {
         Domain::Face => push_value(layer, face.face.index(), bytes),

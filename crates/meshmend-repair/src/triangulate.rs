@@ -1,18 +1,18 @@
 //! Cuts polygons into triangles without making an edge twice.
 //!
-//! *Why*: a mesh of triangles should stay one: where `clean` or `split` made a face larger, it is cut again. And some
-//! kernels and formats hold triangles alone.
+//! *Why*: a mesh of triangles should stay one. If `clean` or `split` made a face larger, it is cut again. And some kernels
+//! and formats hold only triangles.
 //!
-//! 1. Choose the faces: with `auto`, if all faces were triangles as stored, those that are no longer; with `all`,
+//! 1. Choose the faces: with `auto`, if all faces were triangles as stored, those that have more corners now; with `all`,
 //!    every face of more than three corners.
-//! 2. Cut each by shape: see [`meshmend_geometry::polygon`]. A diagonal never repeats an edge that is there already, nor
-//!    runs between places that one joins: it would be non-manifold, or its triangles might be there twice, at the latest
-//!    when the mesh is stored without indices.
-//! 3. Where every choice would, the diagonal gets a vertex of its own: in the middle of it, or, where that is not free, at
-//!    the first free point on it or beside it.
+//! 2. Cut each by shape: see [`meshmend_geometry::polygon`]. A diagonal never joins two places that an edge joins already.
+//!    Such an edge would be non-manifold, or a triangle might be there twice, at the latest when the mesh is stored without
+//!    indices.
+//! 3. If every diagonal would, one gets a vertex of its own: in its middle or, if that is not free, at the first free point
+//!    on it or beside it.
 //!
-//! *Promises* triangles, wherever faces are simple. *Requires* simple faces: others stay and are named. *May introduce*
-//! nothing. *Cost*: O(n³) for faces up to 64 corners, O(n²) up to 4096 and mostly n log n, O(n log n) beyond.
+//! *Promises* triangles wherever faces are simple. *Requires* simple faces: others stay and are named. *May introduce* no
+//! defect. *Cost*: O(n³) for faces up to 64 corners, O(n²) up to 4096 and mostly n log n, O(n log n) beyond.
 
 use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh, distinct_count};
 use meshmend_geometry::vector::Point;
@@ -35,7 +35,7 @@ pub struct Triangulate {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TriangulateFaces {
-    /// If all faces were triangles as stored, those that are no longer.
+    /// Those that have more than three corners now, if all faces were triangles as stored.
     #[default]
     Auto,
     /// Every face of more than three corners.
@@ -95,7 +95,7 @@ fn cut_all(mesh: &PolygonMesh, clearance: Clearance) -> Result<Outcome, PassErro
     Ok(Outcome { left, ..Outcome::changed(rebuilt, fixed.into()) })
 }
 
-/// Room beside the vertices of a mesh, which are gathered when the first is wanted.
+/// Room beside the vertices of a mesh. The vertices are gathered when a place is first asked for.
 struct BesideMesh<'a> {
     mesh: &'a PolygonMesh,
     clearance: Clearance,

@@ -3,18 +3,18 @@
 //! *Why*: files without shared vertices (STL) fall apart into single triangles, and exporters split vertices along
 //! seams of texture or normals.
 //!
-//! *Exact* (default): positions equal as numbers: −0 equals 0, and what is not finite equals nothing.
-//! *Single*: positions equal after each coordinate is rounded to single precision.
-//! *Tolerance ε*: the connected components of "distance ≤ ε", so no pair within ε is missed.
+//! * *Exact* (default): their positions are equal as numbers. −0 equals 0, and a position that is not finite equals none.
+//! * *Single*: their positions are equal after each coordinate is rounded to single precision.
+//! * *Tolerance ε*: they are in one connected component of "distance ≤ ε", so no pair within ε is missed.
 //!
 //! 1. Find the classes.
 //! 2. Each class becomes its lowest vertex, whose position is kept to the bit. Attributes that differ across
 //!    welded vertices move to the corners; none is averaged or dropped.
 //!
-//! *Promises* no coincident vertices. *Requires* nothing. *May introduce* degenerate faces, duplicates and
-//! non-manifold edges and vertices: in a pipeline `orient` and `split` keep apart again what would leave the mesh
-//! non-manifold, so that there welding is stitching and can't make a mesh worse. *Cost*: linear where exact; see the
-//! grid for tolerance.
+//! *Promises* no coincident vertices. *Requires* nothing. *May introduce* degenerate faces, duplicates and non-manifold
+//! edges and vertices. In a pipeline `orient` and `split` keep apart again what would leave the mesh non-manifold: there
+//! welding is stitching and can't make a mesh worse. *Cost*: linear if exact; for a tolerance see
+//! [`proximity_classes`].
 
 use std::borrow::Cow;
 
@@ -38,13 +38,13 @@ pub struct Weld {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Distance {
-    /// When their positions are equal as numbers.
+    /// Their positions are equal as numbers.
     #[default]
     Exact,
-    /// When their positions are equal after each coordinate is rounded to single precision: for files whose last digits are
-    /// noise.
+    /// Their positions are equal after each coordinate is rounded to single precision. This is for files whose last digits
+    /// are noise.
     Single,
-    /// When a chain of vertices joins them, each within so many units of length of the next.
+    /// A chain of vertices joins them, each within so many units of length of the next.
     Absolute(f64),
     /// The same, in parts of a bounding box's diagonal: 0.001 is a thousandth of it. The box is that of the vertices
     /// that a face or a loose edge uses; in a mesh with neither, of all vertices.
@@ -90,9 +90,9 @@ impl Pass for Weld {
 }
 
 impl Weld {
-    /// How far apart vertices of a mesh may be that are joined; 0 if only those in one place are.
+    /// The distance within which vertices of a mesh are joined: 0 if only those in one place are.
     ///
-    /// *Cost*: linear where the distance is relative, else constant.
+    /// *Cost*: linear if the distance is relative, else constant.
     pub fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
         match self.distance {
             Distance::Exact | Distance::Single => 0.0,
@@ -102,7 +102,7 @@ impl Weld {
     }
 }
 
-/// The diagonal of the box to which a relative distance refers. A vertex that nothing uses can't stretch it.
+/// The diagonal of the box to which a relative distance refers. An unused vertex can't stretch it.
 fn diagonal(mesh: &PolygonMesh) -> f64 {
     if mesh.faces().corner_count() == 0 && mesh.loose_edges().is_empty() {
         return meshmend_geometry::diagonal(mesh.positions());
@@ -110,7 +110,7 @@ fn diagonal(mesh: &PolygonMesh) -> f64 {
     meshmend_geometry::diagonal(&used_positions(mesh))
 }
 
-/// The positions, those of vertices that no face and no loose edge uses being no numbers.
+/// The positions, with NaN for vertices that no face and no loose edge uses.
 fn used_positions(mesh: &PolygonMesh) -> Cow<'_, [[f64; 3]]> {
     let mut is_used = vec![false; mesh.counts().vertices];
     let used = mesh.faces().corner_vertices().iter().chain(mesh.loose_edges().iter().flatten());
@@ -129,7 +129,7 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
         let goes_on = || context.check_cancelled().is_ok();
         let classes = proximity_classes(mesh.positions(), epsilon, goes_on);
         let classes = match (&classes, used_positions(mesh)) {
-            // Beside coordinates that are too large the distance can't be told. If no face has them, they are set aside.
+            // Coordinates that are too large can't resolve the distance. If no face has them, they are set aside.
             (Err(NoClasses::Unresolved { .. }), Cow::Owned(used)) => {
                 proximity_classes(&used, epsilon, goes_on)
             }
@@ -137,7 +137,10 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
         };
         classes.map_err(|reason| not_told(epsilon, reason))
     } else {
-        Err(PassError::Request { pass: "weld", reason: format!("a tolerance of {epsilon} is no distance") })
+        Err(PassError::Request {
+            pass: "weld",
+            reason: format!("a tolerance must be a finite number of 0 or more, not {epsilon}"),
+        })
     }
 }
 
@@ -153,7 +156,7 @@ fn not_told(epsilon: f64, reason: NoClasses) -> PassError {
     }
 }
 
-/// The mesh with each vertex replaced by the lowest one of its class.
+/// The mesh in which each vertex is replaced by the lowest one of its class.
 fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Result<Outcome, PassError> {
     let fixed = Fixed::joined(lowest);
     if fixed.is_empty() {

@@ -1,4 +1,4 @@
-//! The mesh that is made of new vertices: the same faces, in whose sides vertices may have been inserted.
+//! The mesh over new vertices: the same faces, with vertices inserted in some of their sides.
 
 use meshmend_core::{
     Blend, Column, CornerId, Draft, FaceTable, FaceTableBuilder, Id, PolygonMesh, Sources, VertexId,
@@ -30,7 +30,7 @@ pub(crate) fn draft(mesh: &PolygonMesh, new: NewVertices, inserted: Inserted) ->
     })
 }
 
-/// Faces, where their corners come from, and those that come from none.
+/// Faces, the old corner behind each of their corners, and the corners that were created.
 struct NewFaces {
     faces: FaceTable,
     corner_sources: Sources<CornerId>,
@@ -77,8 +77,8 @@ impl NewFaces {
     }
 }
 
-/// The new vertex at each corner as stored: what the complex leaves out goes with the corner before it in its face if
-/// that is at the same vertex, else with the vertex's first part.
+/// The new vertex at each corner as stored. A corner that the complex leaves out goes with the corner before it in its
+/// face if that is at the same vertex, else with the vertex's first part.
 fn stored_corners(
     mesh: &PolygonMesh,
     of_corner: Column<CornerId, VertexId>,

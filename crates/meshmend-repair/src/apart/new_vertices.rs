@@ -11,7 +11,7 @@ pub(crate) struct NewVertices {
     pub(crate) of_corner: Column<CornerId, VertexId>,
     /// For each new vertex the present vertex that it is a part of.
     pub(crate) present: Vec<VertexId>,
-    /// For each new vertex its point: that of its lowest vertex as stored.
+    /// For each new vertex its point, which is that of its lowest vertex as stored.
     pub(crate) positions: Vec<[f64; 3]>,
     /// For each present vertex the first new vertex that is a part of it.
     pub(crate) first_part: Vec<VertexId>,
@@ -20,9 +20,9 @@ pub(crate) struct NewVertices {
 const NONE: VertexId = VertexId(u32::MAX);
 
 impl NewVertices {
-    /// Names each part after its lowest stored vertex: the first part (by lowest corner) of each stored vertex keeps
-    /// that vertex's place in the order; further parts follow at the end in corner order, then vertices in no face of
-    /// the complex whose place is taken.
+    /// Each part goes by its lowest stored vertex. The first part (by lowest corner) of each stored vertex keeps that
+    /// vertex's place in the order. Further parts follow at the end in corner order; then come vertices in no face of the
+    /// complex whose place is taken.
     ///
     /// *Cost*: linear, and n log n in the parts that follow at the end.
     pub(crate) fn of<K: Connectivity>(kernel: &K, stored: &StoredVertices<'_>, parts: &VertexParts) -> Self {
@@ -53,14 +53,15 @@ impl NewVertices {
     }
 }
 
-/// What becomes a new vertex, by number: first the present vertices, for those that stay whole, then the parts.
+/// What becomes a new vertex. The pieces are numbered: first the present vertices, of which those count that stay whole,
+/// then the parts.
 struct Pieces<'a, K> {
     kernel: &'a K,
     stored: &'a StoredVertices<'a>,
     parts: &'a VertexParts,
     /// The lowest stored vertex behind each part.
     behind_parts: Vec<VertexId>,
-    /// The lowest stored vertex behind each present one that is in a face, where it is not the vertex itself.
+    /// The lowest stored vertex behind each present one that is in a face. Absent if each is the vertex itself.
     behind_vertices: Option<Vec<VertexId>>,
 }
 
@@ -93,7 +94,7 @@ impl<'a, K: Connectivity> Pieces<'a, K> {
         }
     }
 
-    /// The lowest corner, where it has any.
+    /// The lowest corner, if it has any.
     fn lowest_corner(&self, piece: u32) -> Option<CornerId> {
         match self.part(piece) {
             Some(part) => Some(self.parts.parts[part].lowest_corner),

@@ -12,7 +12,7 @@ pub(crate) type ClassedVertex = (VertexId, VertexClass);
 
 /// The corners of some vertices, by the parts that they belong to.
 pub(crate) struct VertexParts {
-    /// The vertices that may have come apart, ascending, with what they were.
+    /// The vertices that may have come apart, ascending, each with the class that it had.
     pub(crate) vertices: Vec<ClassedVertex>,
     /// All parts, by vertex, then by lowest corner.
     pub(crate) parts: Vec<Part>,
@@ -27,7 +27,7 @@ pub(crate) struct Part {
 }
 
 impl VertexParts {
-    /// The parts of vertices, whose sides are joined where they are matched, and where `joined` says so.
+    /// The parts of vertices. Sides are joined if they are matched or listed in `joined`.
     ///
     /// *Cost*: O(Σ d log d) over the vertices' degrees d.
     pub(crate) fn of<K: Connectivity>(

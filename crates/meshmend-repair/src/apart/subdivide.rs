@@ -1,10 +1,11 @@
-//! Gives edges that would coincide a vertex of their own each.
+//! Gives each of the edges that would coincide a vertex of its own.
 //!
-//! Two different matched edges, or free uses, may come to join the same two new vertices, their umbrellas being
-//! connected elsewhere. By index they would be one edge again. Then every edge at that place is subdivided, each by a
-//! vertex of its own, all of them at the first free point between the lower and the higher vertex. Where only places will
-//! tell vertices apart, as in STL, each of them is at a free point of its own: else the edges would be one again when
-//! they are read, and be subdivided again.
+//! Two different matched edges, or free uses, may join the same two new vertices, because their umbrellas are connected
+//! elsewhere. By index they would be one edge again. Then every edge at that place is subdivided, each by a vertex of its
+//! own, all of them at the first free point between the lower and the higher vertex.
+//!
+//! In formats that tell vertices apart by their places alone, as STL, each of them gets a free point of its own. Else the
+//! edges would be one again when they are read, and would be subdivided again.
 
 use meshmend_core::{Blend, Complex, Connectivity, CornerId, EdgeId, PolygonMesh, VertexDraft};
 use smallvec::SmallVec;
@@ -19,7 +20,7 @@ use crate::{Context, PassError, Subdivision, Unused};
 pub(crate) struct Inserted {
     /// The new vertices, in order; the first follows the last vertex of the result so far.
     pub(crate) vertices: Vec<VertexDraft>,
-    /// For each side that gets one, the place of its new vertex in that list and where it is; by ascending corner.
+    /// For each side that gets one, by ascending corner: the place of its new vertex in that list, and where it lies.
     pub(crate) sides: Vec<(CornerId, u32, Blend)>,
     /// The edges that were subdivided, ascending.
     pub(crate) edges: Vec<EdgeId>,
@@ -27,8 +28,8 @@ pub(crate) struct Inserted {
 
 /// Finds the edges that would coincide, and subdivides them.
 ///
-/// *Cost*: O(Σ d log d) over the degrees d of edges with more than two uses or unmatched ones; the positions are
-/// sorted only when there is something to do.
+/// *Cost*: O(Σ d log d) over the degrees d of edges with more than two uses or unmatched ones. The positions are
+/// sorted only if an edge is subdivided.
 pub(crate) fn subdivide<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,
@@ -46,7 +47,7 @@ pub(crate) fn subdivide<K: Connectivity>(
     let has_own_points = clearance.subdivision == Subdivision::InOwnPoints
         || context.storage.map_or(Ok(false), |storage| storage.takes_apart(mesh))?;
     let complex = mesh.complex();
-    // A vertex in no face that compact removes must not decide where others go.
+    // A vertex that `compact` removes, since no face uses it, must not decide where others go.
     let is_in_result = |v| clearance.unused == Unused::Kept || kernel.is_referenced(v);
     let parts = vertices.present.iter().zip(&vertices.positions).filter(|(v, _)| is_in_result(**v));
     let mut free = FreePoints::beside(clearance, parts.map(|(_, &position)| position));
@@ -91,8 +92,8 @@ fn coincide<K: Connectivity>(kernel: &K, matching: &Matching, vertices: &NewVert
     ends.windows(2).any(|pair| pair[0] == pair[1])
 }
 
-/// The place of a point between an edge's lower and higher vertex, as seen along one of its sides, in terms of the
-/// mesh's own corners.
+/// The place of a point between an edge's lower and higher vertex, as seen along one of its sides, in terms of corners as
+/// stored.
 fn blend<K: Connectivity>(
     kernel: &K,
     complex: &Complex,

@@ -1,7 +1,7 @@
-//! Faces that come back to a vertex: which of them have holes, and how are those cut?
+//! Faces that come back to a vertex: which of them have holes, and how such faces are cut.
 //!
-//! A face whose loops all turn as the whole of it does is split into them. Where one turns against it, the loop is no part
-//! of the face but the rim of a hole, and splitting would fill it: such a face is cut along diagonals instead.
+//! If all loops of a face turn as the whole face does, the face is split into them. A loop that turns against the whole is
+//! the rim of a hole, and splitting would fill it: such a face is cut along diagonals instead.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,15 +11,15 @@ use meshmend_geometry::words::Loops;
 
 /// What a face that comes back to a vertex is cut into, as places of its corners.
 pub(super) enum Parts {
-    /// It is split into its loops.
+    /// The face is split into its loops.
     Loops,
-    /// It has a hole, and is cut into these.
+    /// The face has a hole, and is cut into these.
     Pieces(Vec<Vec<usize>>),
-    /// It has a hole by the way its loops turn, but crosses itself, and is split into its loops.
+    /// A loop turns as the rim of a hole does, but the face crosses itself: it is split into its loops.
     Crossing,
 }
 
-/// Cuts faces with holes; faces that are the same cycle of vertices alike, so that repeats can be told.
+/// Cuts faces with holes. Faces with the same cycle of vertices are cut alike, so that repeats can be found.
 pub(super) struct HoleCutter<'a> {
     mesh: &'a PolygonMesh,
     edges: &'a EdgeTable,
@@ -37,7 +37,7 @@ impl<'a> HoleCutter<'a> {
 
     /// What a face with several loops is cut into.
     ///
-    /// *Cost*: linear in its corners where it has no hole, else as for [`simple_pieces`].
+    /// *Cost*: linear in its corners if it has no hole, else as for [`simple_pieces`].
     pub(super) fn parts(&mut self, vertices: &[VertexId], found: &Loops) -> Parts {
         if !self.has_hole(vertices, found) {
             return Parts::Loops;
@@ -82,7 +82,7 @@ fn sorted(one: VertexId, other: VertexId) -> [VertexId; 2] {
     [one.min(other), one.max(other)]
 }
 
-/// Pieces of a word as places of the face, each begun at its lowest place, in the order of these.
+/// Pieces of a word as places of the face. Each begins at its lowest place, and they are sorted by it.
 fn in_face_order(pieces: &[Vec<usize>], word: &[usize]) -> Vec<Vec<usize>> {
     let mut found: Vec<Vec<usize>> =
         pieces.iter().map(|piece| piece.iter().map(|&at| word[at]).collect()).collect();

@@ -1,14 +1,14 @@
-//! Which of many cycles of vertices are there already?
+//! Which of many cycles of vertices repeat an earlier one.
 //!
-//! Almost all cycles are like no other. Each is given one of so many numbers that most have theirs alone; only those that
-//! share theirs are sorted and compared. So no number decides, and no input takes longer than sorting does.
+//! Almost no cycle has a repeat. Each cycle gets a number out of so many that most cycles have one of their own. Only
+//! cycles that share a number are sorted and compared. So no number decides, and no input takes longer than sorting does.
 
 use meshmend_core::{VertexId, canonical_rotation};
 
 use rayon::prelude::*;
 
-/// Pairs (first, later) of cycles that are equal up to where they begin: by the cycle in its least rotation, each cycle's
-/// by the later one; those of triangles come before all others.
+/// Pairs (first, later) of cycles that are equal up to where they begin. They are sorted by the cycle in its least rotation,
+/// then by the later one; triangles come before all others.
 pub(super) fn repeats<C: Iterator<Item = VertexId>>(
     count: usize,
     cycle: impl Fn(u32) -> C,
@@ -37,12 +37,12 @@ pub(super) fn repeats<C: Iterator<Item = VertexId>>(
     found
 }
 
-/// Words as a number that sorts as they do.
+/// Words as one number that sorts as they do.
 fn key(words: [u32; 4]) -> u128 {
     words.into_iter().fold(0, |key, word| key << 32 | u128::from(word))
 }
 
-/// The cycles that have their number in common with another one, ascending.
+/// The cycles that share their number with another one, ascending.
 fn sharing_a_number<C: Iterator<Item = VertexId>>(
     count: usize,
     cycle: impl Fn(u32) -> C,
@@ -59,7 +59,7 @@ fn sharing_a_number<C: Iterator<Item = VertexId>>(
     (0..count as u32).filter(move |&which| uses[used[which as usize] as usize] > 1)
 }
 
-/// A number in place of another, such that those of sums are spread evenly.
+/// Another number for a number, so that sums of such numbers are spread evenly.
 fn spread(value: u32) -> u32 {
     let value = value.wrapping_mul(0x9E37_79B9);
     (value ^ value >> 15).wrapping_mul(0x85EB_CA6B)

@@ -1,8 +1,8 @@
-//! What lies between two points that differ along one axis: exact, and never undecided.
+//! Whether a triangle lies between two points that differ along one axis: exact, and never undecided.
 //!
-//! A point is taken as moved by (ε, ε², ε³) for an ε as small as need be, so that it lies on no triangle, and no line
-//! through it along an axis meets a side of one. What is decided for one triangle then agrees with what is decided for
-//! its neighbours, and crossings of a closed surface add up. *Source*: H. Edelsbrunner, E. Mücke, *Simulation of
+//! A point counts as moved by (ε, ε², ε³) for a sufficiently small ε. So it lies on no triangle, and no line through it
+//! along an axis meets a side of one. The answers for a triangle and for its neighbours then agree, and the crossings of
+//! a closed surface add up. *Source*: H. Edelsbrunner, E. Mücke, *Simulation of
 //! simplicity*, 1990.
 
 use robust::{Coord, Coord3D, orient2d, orient3d};
@@ -12,11 +12,11 @@ use meshmend_geometry::vector::{Point, cross, dot, length, minus};
 /// Three points, in the direction in which a surface is seen counter-clockwise.
 pub(super) type Triangle = [Point; 3];
 
-/// What a point's distance from a triangle may be, in parts of its distances from the corners, for it to be on it.
+/// A point is on a triangle if its distance is at most this, in parts of its distances from the corners.
 const ON: f64 = 1e-9;
 
-/// By how much the winding of a surface changes from a point to where one of its coordinates is another, on account of
-/// one of its triangles.
+/// By how much one triangle changes the winding of its surface on the way from a point to where one of its coordinates has
+/// another value.
 pub(super) fn crossing(triangle: &Triangle, from: Point, axis: usize, to: f64) -> i32 {
     if !passes_through(triangle, from, axis) {
         return 0;
@@ -38,7 +38,7 @@ fn passes_through(triangle: &Triangle, point: Point, axis: usize) -> bool {
     let mut turns = 0;
     for place in 0..3 {
         let (one, other) = (corners[place], corners[(place + 1) % 3]);
-        // Of equal heights the point is the higher one; on a side it is to the right of one that rises.
+        // At equal heights the point counts as higher; on a rising side it counts as to the right of it.
         if one.y <= at.y && other.y > at.y {
             turns += i32::from(orient2d(one, other, at) > 0.0);
         } else if one.y > at.y && other.y <= at.y {
@@ -64,14 +64,14 @@ fn is_in_front(triangle: &Triangle, point: Point) -> bool {
     normal.into_iter().find(|&part| part != 0.0).is_some_and(|part| part > 0.0)
 }
 
-/// Whether a point is on a triangle, as far as doubles tell.
+/// Whether a point is on a triangle, within the precision of doubles.
 pub(super) fn is_on(triangle: &Triangle, point: Point) -> bool {
     let [a, b, c] = triangle.map(|corner| minus(corner, point));
     solid_angle(a, b, c).is_none()
 }
 
-/// The solid angle that a triangle fills, seen from the origin; nothing where that is on it. *Source*: A. Van Oosterom,
-/// J. Strackee, *The solid angle of a plane triangle*, 1983.
+/// The solid angle that a triangle fills, seen from the origin. Returns `None` if the origin is on it. *Source*: A. Van
+/// Oosterom, J. Strackee, *The solid angle of a plane triangle*, 1983.
 pub(super) fn solid_angle(a: Point, b: Point, c: Point) -> Option<f64> {
     let (x, y, z) = (length(a), length(b), length(c));
     let volume = dot(a, cross(b, c));

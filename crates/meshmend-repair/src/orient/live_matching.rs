@@ -239,8 +239,8 @@ mod tests {
 
     use crate::Pipeline;
 
-    /// Three fans at one place, of which two are found to be doubles only once they are oriented: at their rims three
-    /// uses become one at a stroke, which is no pair.
+    /// Three fans at one place, of which two are found to be duplicates only once they are oriented: at their rims three
+    /// uses become one at once, so no pair is left.
     #[test]
     fn uses_that_go_together_leave_no_pair() {
         let rim = [[3, 0], [3, 1], [2, 2], [1, 3], [0, 3], [-1, 3]];

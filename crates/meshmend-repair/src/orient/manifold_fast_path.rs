@@ -1,7 +1,8 @@
-//! The sides of meshes whose every edge has one side or two, all of whose patches are orientable.
+//! Which faces are flipped in a mesh without repeated faces, in which no edge has three sides and all patches are
+//! orientable.
 //!
-//! Most meshes are like this. There all sides across edges are matched, so the patches are those of the topology; they
-//! come together at once, so the majority of each decides alone; and without duplicates none drops out.
+//! Most meshes are like this. All sides that share an edge are matched, so the patches are those of the topology. They come
+//! together at once, so the majority of each decides. Without duplicates no patch goes.
 
 use meshmend_core::{Connectivity, FaceId};
 use meshmend_topology::{Patches, Side, patches};

@@ -1,7 +1,7 @@
-//! Which closed patches lie inside an odd number of others: the walls of hollows.
+//! Which closed patches lie inside an odd number of others: those are the walls of hollows.
 //!
-//! A patch lies inside another one when the other one winds round a point of it; patches may touch, so a point that is
-//! on both does not count, and another point is asked.
+//! A patch lies inside another one if that one winds round a point of it. Patches may touch: a point that is on both does
+//! not count, and another point is tried.
 
 use meshmend_core::{Connectivity, FaceId, PolygonMesh};
 
@@ -9,11 +9,11 @@ use super::fates::Fates;
 use super::winding::{Query, Shell, Windings};
 use meshmend_geometry::vector::Point;
 
-/// So many points of a patch are tried, from faces spread evenly. One of which all are on another patch counts as
-/// outside of it.
+/// How many points of a patch are tried, from faces spread evenly. A patch counts as outside of another one if all of them
+/// are on that one.
 const MOST_POINTS: usize = 16;
 
-/// For each closed patch, its faces flipped where that is chosen, whether it lies inside an odd number of the others.
+/// For each closed patch, whether it lies inside an odd number of the others. Faces are taken as they are flipped.
 ///
 /// *Cost*: O(n log n) for n faces of patches that lie apart from each other or one in the other, and for each point of a
 /// patch the faces close to it; for each pair of patches that touch, up to 16 times.

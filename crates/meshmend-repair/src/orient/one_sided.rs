@@ -1,4 +1,4 @@
-//! Patches without a consistent side: each gets a witness, or the repair gives up.
+//! Patches without a consistent orientation: each gets a witness, or the repair gives up.
 
 use meshmend_core::{Connectivity, CornerId, Defect, DefectKind, EdgeId, EdgeUse, FaceId, PolygonMesh};
 use meshmend_topology::{OneSidedStrip, orientability, patches};
@@ -6,9 +6,9 @@ use meshmend_topology::{OneSidedStrip, orientability, patches};
 use super::options::NonOrientable;
 use crate::{Context, Outcome, PassError, apart};
 
-/// What the policy makes of patches without a consistent side.
+/// What the policy makes of patches without a consistent orientation.
 ///
-/// `lowest` is a face of each of them in the new mesh. It is named where a face is not simple, so that no strip is found.
+/// `lowest` is a face of each of them in the new mesh. It is named if no strip is found, because a face is not simple.
 ///
 /// # Errors
 /// When the policy is to give up.
@@ -37,8 +37,8 @@ pub(super) fn judge(
 
 /// The non-orientable patches of a repair's matching, each with its witness.
 ///
-/// Taken apart along everything that is not matched, the mesh has these patches as its own. Faces keep their ids
-/// there, and edges are led back through their corners.
+/// The mesh is taken apart along everything that is not matched: then these patches are its own. Faces keep their ids, and
+/// edges are led back through their corners.
 fn one_sided_patches(mesh: &PolygonMesh, context: &Context<'_>) -> Result<Vec<Defect>, PassError> {
     let (apart, provenance) = apart::along_rules(mesh, context)?;
     let kernel = EdgeUse::assemble(apart.complex());

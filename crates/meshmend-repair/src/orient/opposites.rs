@@ -41,8 +41,7 @@ fn pairs(Directions { backward, forward }: &Directions) -> Vec<FaceId> {
     [&backward[..count], &forward[..count]].concat()
 }
 
-/// If there are faces of both directions: all but the first, and those that run as the first does and differ from it,
-/// which are no opposite duplicates.
+/// If there are faces of both directions: all but the first, and but those that run as the first does and differ from it.
 fn but_first(Directions { backward, forward }: Directions, repeats: &Repeats) -> Vec<FaceId> {
     let (Some(&first_backward), Some(&first_forward)) = (backward.first(), forward.first()) else {
         return Vec::new();

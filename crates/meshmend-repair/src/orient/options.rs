@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Orient {
-    /// Which of a patch's two sides is taken.
+    /// Which of a patch's two consistent orientations is taken.
     pub side: Side,
-    /// What happens to a patch that has no consistent side.
+    /// What happens to a patch that has no consistent orientation.
     pub non_orientable: NonOrientable,
     /// What happens to faces that are there once in each direction.
     pub duplicates: Duplicates,
@@ -17,7 +17,7 @@ pub struct Orient {
     pub flipped_normals: FlippedNormals,
 }
 
-/// Which of a patch's two consistent sides is taken.
+/// Which of a patch's two consistent orientations is taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
@@ -31,14 +31,14 @@ pub enum Side {
     OutwardNested,
 }
 
-/// What happens to a patch that has no consistent side.
+/// What happens to a patch that has no consistent orientation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NonOrientable {
     /// It is left as it is and named, with a witness.
     #[default]
     Report,
-    /// Its faces get sides all the same, so that they clash along few edges; `split` opens that seam.
+    /// It is oriented nevertheless, so that its faces clash along few edges. `split` opens that seam.
     Cut,
     /// The repair gives up.
     Fail,

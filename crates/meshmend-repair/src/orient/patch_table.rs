@@ -1,16 +1,15 @@
 //! Which faces belong to which patch, and what is known of each patch.
 
 use meshmend_core::{Column, FaceId, Joined, SidedClasses};
-use meshmend_topology::Side;
 
-/// Whether the sides of a patch's faces agree.
+/// Whether the faces of a patch have a consistent orientation.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Consistency {
-    /// The patch has a consistent side.
+    /// They have one.
     Consistent,
-    /// It has one because sides that clash were left unmatched: there is its seam.
+    /// They have one because sides that clash were left unmatched: those are the seam.
     Cut,
-    /// It has none, and no face of it is flipped from then on.
+    /// They have none, and none of them is flipped from then on.
     Twisted,
 }
 
@@ -32,8 +31,9 @@ pub(super) struct Patch {
 pub(super) struct Piece {
     /// One of its faces.
     pub(super) root: FaceId,
-    /// How its faces lie as they are now, if the root of the whole is to be as stored.
-    pub(super) side: Side,
+    /// Whether it lies as the whole does when the root of the whole is flipped. If not, it lies as the whole does when the
+    /// root is as stored.
+    pub(super) is_reversed: bool,
 }
 
 /// The patches as disjoint sets of faces, with what is known of each at its root.
@@ -68,7 +68,7 @@ impl PatchTable {
         }
     }
 
-    /// Joins the patches of two faces, the one face lying against the other one or not.
+    /// Joins the patches of two faces. If `is_turned`, the faces lie against each other as stored.
     pub(super) fn join(&mut self, one: FaceId, other: FaceId, is_turned: bool) -> Joined<FaceId> {
         let joined = self.classes.join(one, other, is_turned);
         if let Joined::Merged { root, child } = joined {
@@ -99,10 +99,7 @@ impl PatchTable {
     /// The pieces of the patch of a root, where `is_flipped` tells which faces are flipped now.
     pub(super) fn pieces(&mut self, root: FaceId, is_flipped: impl Fn(FaceId) -> bool) -> Vec<Piece> {
         let classes = &mut self.classes;
-        let piece = |piece| {
-            let is_turned = classes.find(piece).1 ^ is_flipped(piece);
-            Piece { root: piece, side: if is_turned { Side::Reversed } else { Side::Same } }
-        };
+        let piece = |piece| Piece { root: piece, is_reversed: classes.find(piece).1 ^ is_flipped(piece) };
         self.pieces.from(root).map(piece).collect()
     }
 

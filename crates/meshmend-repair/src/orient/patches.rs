@@ -1,4 +1,4 @@
-//! The patches of the repair while duplicates go: faces joined across matched sides, each patch kept on one side.
+//! The patches of the repair while duplicates go: faces joined across matched sides, and oriented alike.
 //!
 //! A patch is made of pieces that were consistent before they merged, so a merge flips whole pieces, never more than
 //! half of the faces: each flip of a face at least doubles its patch, and all flips together are O(n log n).
@@ -7,7 +7,6 @@ use std::cmp::Reverse;
 
 use meshmend_core::{Connectivity, FaceId, Joined, PolygonMesh, Unjudged};
 use meshmend_geometry::SignedVolume;
-use meshmend_topology::Side;
 
 use super::fates::Fates;
 use super::live_matching::Pair;
@@ -16,18 +15,18 @@ use super::patch_table::{Consistency, Patch, PatchTable, Piece};
 use super::repeats::Repeats;
 use crate::matching::run_the_same_way;
 
-/// How the side of a patch is chosen.
+/// How the orientation of a patch is chosen.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Choice {
     /// As stored: no face is flipped.
     AsStored,
-    /// The side that flips fewer faces; on a tie the one that keeps the lowest face.
+    /// The one that flips fewer faces; on a tie the one that keeps the lowest face.
     Majority,
     /// Outward for closed patches, else by majority.
     Outward,
 }
 
-/// What happens to matched sides that contradict those of the patch.
+/// What happens to matched sides that contradict the orientation of their patch.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Contradiction {
     /// The patch is twisted.
@@ -47,7 +46,7 @@ pub(super) struct Policy {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Event {
     Merged,
-    /// The sides were on one patch already, and agree.
+    /// The sides were sides of one patch already, and agree.
     Closed,
     Contradicted,
 }
@@ -119,8 +118,8 @@ impl<'a, K: Connectivity> Patches<'a, K> {
         let whole = self.whole(&pieces, events);
         self.relabel(&pieces, whole.label);
         if self.policy.choice != Choice::AsStored && whole.consistency != Consistency::Twisted {
-            let side = self.chosen_side(&pieces, &whole);
-            for piece in pieces.iter().filter(|piece| piece.side != side) {
+            let is_reversed = self.is_to_be_reversed(&pieces, &whole);
+            for piece in pieces.iter().filter(|piece| piece.is_reversed != is_reversed) {
                 self.flip(piece.root, whole.label);
             }
         }
@@ -157,44 +156,42 @@ impl<'a, K: Connectivity> Patches<'a, K> {
         whole
     }
 
-    /// The side that a patch of pieces gets. Pieces that lie on the other side are to be flipped.
-    fn chosen_side(&self, pieces: &[Piece], whole: &Patch) -> Side {
+    /// Whether a patch of pieces is to be reversed. If so, the pieces that are not are to be flipped, else those that are.
+    fn is_to_be_reversed(&self, pieces: &[Piece], whole: &Patch) -> bool {
         let is_closed = whole.free_sides == 0 && whole.consistency == Consistency::Consistent;
         if self.policy.choice == Choice::Outward && is_closed {
             match self.volume(pieces).sign() {
                 0 => {}
-                sign => return if sign < 0 { Side::Reversed } else { Side::Same },
+                sign => return sign < 0,
             }
         }
         self.majority(pieces, whole)
     }
 
-    /// The volume that closed pieces enclose, if they all lie on the side [`Side::Same`].
+    /// The volume that closed pieces enclose if none is reversed.
     fn volume(&self, pieces: &[Piece]) -> SignedVolume {
         let mut volume = SignedVolume::default();
         for piece in pieces {
-            let turns = piece.side == Side::Reversed;
             for face in self.table.faces(piece.root) {
-                let is_flipped = self.fates.is_flipped(face) ^ turns;
+                let is_flipped = self.fates.is_flipped(face) ^ piece.is_reversed;
                 volume.add_face(self.mesh, self.kernel.face_corners(face), is_flipped);
             }
         }
         volume
     }
 
-    /// The side on which more faces lie, and on a tie the lowest face.
-    fn majority(&self, pieces: &[Piece], whole: &Patch) -> Side {
+    /// Whether most faces are reversed, or on a tie the lowest one.
+    fn majority(&self, pieces: &[Piece], whole: &Patch) -> bool {
         let reversed = || {
-            let reversed = pieces.iter().filter(|piece| piece.side == Side::Reversed);
+            let reversed = pieces.iter().filter(|piece| piece.is_reversed);
             reversed.map(|piece| self.table.patch(piece.root))
         };
         let count: u32 = reversed().map(|patch| patch.size).sum();
-        let is_reversed = match (2 * u64::from(count)).cmp(&u64::from(whole.size)) {
+        match (2 * u64::from(count)).cmp(&u64::from(whole.size)) {
             std::cmp::Ordering::Less => false,
             std::cmp::Ordering::Greater => true,
             std::cmp::Ordering::Equal => reversed().any(|patch| patch.lowest == whole.lowest),
-        };
-        if is_reversed { Side::Reversed } else { Side::Same }
+        }
     }
 
     /// Flips the faces of a piece.
@@ -262,7 +259,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
         fates.staying().filter(|&face| table.is_root(face)).collect()
     }
 
-    /// The patches that are left and have a consistent side, by root: each with its faces, and whether none of its
+    /// The patches that are left and have a consistent orientation, by root: each with its faces, and whether none of its
     /// sides is free. Asked only with [`Choice::Outward`].
     pub(super) fn oriented(&mut self) -> Vec<OrientedPatch> {
         let roots = self.roots();
@@ -293,7 +290,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
         faces.iter().for_each(|&face| self.fates.flip(face));
     }
 
-    /// The lowest face of each patch that is left and has no consistent side, ascending.
+    /// The lowest face of each patch that is left and has no consistent orientation, ascending.
     pub(super) fn non_orientable(&mut self) -> Vec<FaceId> {
         let roots = self.roots().into_iter();
         let patches = roots.map(|root| self.table.patch(root));
@@ -306,7 +303,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
     }
 }
 
-/// A patch with a consistent side.
+/// A patch with a consistent orientation.
 pub(super) struct OrientedPatch {
     pub(super) lowest: FaceId,
     /// Not in order.

@@ -1,8 +1,8 @@
-//! Which pairs of sides are left unmatched where a patch is cut to be orientable.
+//! Which pairs of sides are left unmatched if a patch is cut to be orientable.
 //!
-//! The pairs go into a parity union-find one after another, and what contradicts stays unmatched. So the order
-//! decides where the seam is, and the pairs of a short one come last. A pair of rule 1 is only cut where rule 1 alone
-//! contradicts: what was cut before is stitched by rule 2, and stays cut at the same place.
+//! The pairs go into a parity union-find one after another, and a pair that contradicts stays unmatched. So the order
+//! decides where the seam is, and the pairs of a short seam come last. A pair of rule 1 is only cut if rule 1 alone
+//! contradicts: a seam that was cut before is stitched by rule 2, and is cut at the same place again.
 
 use meshmend_core::{Column, Connectivity, CornerId, FaceId, Joined, SidedClasses};
 use meshmend_topology::{DualEdge, short_seam};
@@ -11,10 +11,10 @@ use super::live_matching::Pair;
 use crate::matching::run_the_same_way;
 use crate::stored_vertices::StoredVertices;
 
-/// The pairs in their order, but for those of short seams, which come last. Where the sides clash already along a seam that
-/// is no longer, it stays there: so a seam that is stitched when the mesh is read again is found at the same place.
+/// The pairs in their order, except that those of short seams come last. If sides already clash along a seam that is not
+/// longer, that one is kept: so a seam that is stitched when the mesh is read again is found at the same place.
 ///
-/// *Cost*: near-linear where nothing contradicts; else that of [`short_seam`] on the classes in which something does.
+/// *Cost*: near-linear if no pair contradicts; else that of [`short_seam`] on the classes in which one does.
 pub(super) fn seams_last<K: Connectivity>(
     kernel: &K,
     names: &StoredVertices<'_>,
@@ -44,7 +44,7 @@ pub(super) fn seams_last<K: Connectivity>(
     first
 }
 
-/// For each face its class, if pairs contradict in that.
+/// For each face its class, if pairs contradict in it.
 fn twisted_classes<K: Connectivity>(kernel: &K, pairs: &[Pair]) -> Column<FaceId, Option<FaceId>> {
     let mut sets = SidedClasses::new(kernel.face_count());
     let mut contradicted = Vec::new();

@@ -28,7 +28,7 @@ impl<'a, K: Connectivity> Subject<'a, K> {
 /// What the steps have found.
 pub(super) struct Oriented {
     pub(super) fates: Fates,
-    /// The lowest face of each patch without a consistent side, ascending.
+    /// The lowest face of each patch without a consistent orientation, ascending.
     pub(super) non_orientable: Vec<FaceId>,
     /// What there is to say of patches that were to be turned outward.
     pub(super) outward: Vec<NamedPatch>,

@@ -1,9 +1,9 @@
-//! Round which of many points how many closed shells wind.
+//! How many closed shells wind round each of many points.
 //!
-//! The points are parted again and again, so that those of one part lie close together. For each part there is a place
-//! among them from which it is known how often each shell winds round it, and a list of the triangles that come near
-//! them. On the way to the place of a smaller part the windings change only where a triangle of the list is crossed. A
-//! shell without a triangle in the list winds as often round all points of the part, and is only counted from there on.
+//! The points are parted again and again, so that those of one part lie close together. Each part has a place among its
+//! points, a winding of each shell round that place, and a list of the triangles that come near the points. On the way to
+//! the place of a smaller part a winding changes only where a triangle of the list is crossed. A shell without a triangle
+//! in the list winds as often round all points of the part. From there on it is only counted.
 
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ pub(super) struct Shell {
     bounds: Bounds,
 }
 
-/// A point, and the shell on which it lies, which is not asked about.
+/// A point, and the shell on which it lies. That shell is left out of the answer.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Query {
     pub(super) point: Point,
@@ -28,22 +28,22 @@ pub(super) struct Query {
 pub(super) struct Answer {
     /// How many shells wind round it.
     pub(super) inside: usize,
-    /// The shells on which it lies, in order; these are not counted.
+    /// The shells on which it lies, in order. They are not counted.
     pub(super) touching: Vec<u32>,
-    /// Whether its own shell, which does not count either, is among those that wind round its part from afar.
+    /// Whether its own shell is among those that wind round its part from afar. It is not counted either.
     own_is_around: bool,
 }
 
-/// Nearer to a triangle than this, in parts of its size, a point may be on it.
+/// A point may be on a triangle if it is nearer to it than this, in parts of the triangle's size.
 const CLOSE: f64 = 1e-8;
 
-/// What coordinates may be off by, in parts of the largest.
+/// How much coordinates may be off, in parts of the largest.
 const ROUNDING: f64 = 1e-14;
 
-/// Coordinates beyond this make volumes that are no numbers.
+/// Volumes of coordinates beyond this may not be finite.
 const LARGEST: f64 = 1e100;
 
-/// Where fewer triangles come near some points than this, each point is held against all of them.
+/// If fewer triangles than this come near some points, each point is compared with all of them.
 const FEW_TRIANGLES: usize = 24;
 
 impl Shell {
@@ -52,7 +52,7 @@ impl Shell {
         Shell { triangles, bounds }
     }
 
-    /// Whether it has a volume that can be computed; else it holds nothing.
+    /// Whether its volume can be computed. If not, no point counts as inside.
     fn is_sound(&self) -> bool {
         let is_small = |x: &f64| x.abs() <= LARGEST;
         self.triangles.iter().flatten().flatten().all(is_small)
@@ -89,8 +89,8 @@ impl Bounds {
         (1..3).fold((0, length(0)), |best, i| if length(i) > best.1 { (i, length(i)) } else { best })
     }
 
-    /// Whether a triangle comes near the box; where that is not sure, it does. It does not where the shadows of both on
-    /// some line lie apart: along an axis, along the triangle's normal, or across one of its sides and an axis.
+    /// Whether a triangle may come near the box. It does not if the shadows of both on some line lie apart: a line along
+    /// an axis, along the triangle's normal, or across one of its sides and an axis.
     fn is_near(&self, triangle: &Triangle) -> bool {
         let own = Bounds::of(triangle.iter().copied());
         let middle = self.middle();
@@ -106,21 +106,21 @@ impl Bounds {
             let shadow = corners.map(|corner| dot(line, corner));
             let reach: f64 = (0..3).map(|i| line[i].abs() * half[i]).sum();
             let most = 1.000_001 * (reach + length(line) * close);
-            // What is no number is apart from nothing.
+            // Comparisons with NaN are false, so it is never apart.
             shadow.iter().all(|&at| at > most) || shadow.iter().all(|&at| at < -most)
         };
         let sides: [Point; 3] = std::array::from_fn(|i| minus(corners[(i + 1) % 3], corners[i]));
         if is_apart(cross(sides[0], sides[1])) {
             return false;
         }
-        // What is smaller than the box is rarely told apart by the other lines.
+        // A triangle smaller than the box is rarely told apart by the other lines.
         let unit = |axis: usize| std::array::from_fn(|i| f64::from(u8::from(i == axis)));
         let across = |side: Point| (0..3).map(move |axis| cross(side, unit(axis)));
         own.longest().1 <= self.longest().1 || !sides.into_iter().flat_map(across).any(is_apart)
     }
 }
 
-/// A shell in a part: how often it winds round the part's place, and how many triangles of the list are its.
+/// A shell in a part: how often it winds round the part's place, and how many triangles of the list it has.
 #[derive(Clone, Copy, Debug)]
 struct Near {
     shell: u32,
@@ -128,7 +128,7 @@ struct Near {
     triangles: usize,
 }
 
-/// What is known where some points are.
+/// What is known about the place of some points.
 #[derive(Clone)]
 struct Part {
     bounds: Bounds,
@@ -146,9 +146,9 @@ pub(super) struct Windings<'a> {
     shells: &'a [&'a Shell],
     queries: &'a [Query],
     answers: Vec<Answer>,
-    /// The shells near the part that is looked at, after those near the parts that it is a part of.
+    /// The shells near the part in hand, after those near the parts that contain it.
     near: Vec<Near>,
-    /// Their triangles, likewise.
+    /// Their triangles, in the same order.
     triangles: Vec<&'a Triangle>,
     /// Which query lies on a shell.
     query_on: Vec<Option<u32>>,
@@ -160,7 +160,7 @@ pub(super) struct Windings<'a> {
 impl<'a> Windings<'a> {
     /// How many shells wind round each point.
     ///
-    /// A point that is not finite is inside of nothing, and so is any point of a shell that has such a corner.
+    /// A point that is not finite is inside of no shell, and no point is inside of a shell with such a corner.
     pub(super) fn of(shells: &'a [&'a Shell], queries: &'a [Query]) -> Vec<Answer> {
         let mut query_on = vec![None; shells.len()];
         for (place, query) in queries.iter().enumerate() {
@@ -192,7 +192,7 @@ impl<'a> Windings<'a> {
         Bounds::of(places.iter().map(|&place| self.queries[place as usize].point))
     }
 
-    /// A part of some points, with nothing near it yet.
+    /// A part of some points, before the triangles near it are listed.
     fn begin(&mut self, places: &[u32], around: usize) -> Part {
         let bounds = self.bounds(places);
         self.parts += 1;
@@ -206,7 +206,7 @@ impl<'a> Windings<'a> {
         let mut whole = self.begin(places, 0);
         let place = whole.place;
         let shells = self.shells;
-        // The lists of parts of parts come to about as much again, where shells lie apart.
+        // If shells lie apart, the lists of all smaller parts together are about as long again.
         self.triangles.reserve(2 * shells.iter().map(|shell| shell.triangles.len()).sum::<usize>());
         for (number, shell) in shells.iter().enumerate().filter(|(_, shell)| shell.is_sound()) {
             // From outside of the shell to the place.
@@ -220,8 +220,7 @@ impl<'a> Windings<'a> {
         whole
     }
 
-    /// Keeps a shell whose triangles that are near have been listed; counts one that has none and winds round the part
-    /// from afar.
+    /// Ends the list of a shell's triangles. A shell without one near is only counted, if it winds round the part.
     fn keep(&mut self, part: &mut Part, shell: u32, winding: i32) {
         let triangles = self.triangles.len() - part.triangles.end;
         part.triangles.end = self.triangles.len();
@@ -230,7 +229,7 @@ impl<'a> Windings<'a> {
             part.near.end = self.near.len();
         } else if winding != 0 {
             part.around += 1;
-            // A face that is not plane may be far from its own middle.
+            // The corners of a face that is not plane may be far from its middle.
             let own = self.query_on[shell as usize];
             if let Some(own) = own.filter(|&own| self.part_of[own as usize] == self.parts) {
                 self.answers[own as usize].own_is_around = true;
@@ -259,7 +258,7 @@ impl<'a> Windings<'a> {
         }
     }
 
-    /// What is known where some of a part's points are.
+    /// What is known about the place of some of a part's points.
     fn narrowed(&mut self, part: &Part, places: &[u32]) -> Part {
         let mut smaller = self.begin(places, part.around);
         let mut first = part.triangles.start;
@@ -300,7 +299,7 @@ impl<'a> Windings<'a> {
     }
 }
 
-/// How the winding of a shell changes from one place to another, when it is these triangles that may lie between them.
+/// How the winding of a shell changes from one place to another, if only these of its triangles may lie between them.
 fn change(triangles: &[&Triangle], from: Point, to: Point) -> i32 {
     let mut change = 0;
     let mut at = from;

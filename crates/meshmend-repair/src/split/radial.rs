@@ -13,12 +13,12 @@ use meshmend_geometry::sorting::merge_sort;
 use meshmend_geometry::vector::{Point, area_vector, cross, minus};
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// A use of an edge in its place round it.
+/// A use of an edge in its place round the edge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RadialUse {
     pub(super) corner: CornerId,
     pub(super) is_forward: bool,
-    /// The number of its half-plane among the different ones, if it has one.
+    /// The number of its half-plane, if it has one; equal half-planes have one number.
     pub(super) angle: Option<u32>,
 }
 
@@ -94,7 +94,7 @@ fn half_plane<K: Connectivity>(
     if size(inward) == 0.0 || !is_finite(&inward) {
         return None;
     }
-    // About as far from the axis as the edge is long, by a power of two so that no digit is lost.
+    // About as far from the axis as the edge is long; the factor is a power of two, so that no digit is lost.
     let shrink = (size(along) / size(inward)).log2().round().clamp(-1000.0, 1000.0).exp2();
     Some(std::array::from_fn(|i| low[i] + inward[i] * shrink)).filter(is_finite)
 }
@@ -125,14 +125,14 @@ impl Axis {
         point.map(|x| x * self.scale)
     }
 
-    /// Whether a point, not scaled yet, is on the line, or the line is none.
+    /// Whether a point that is not scaled yet is on the line. It always is if both ends of the line are one point.
     fn holds(&self, point: Point) -> bool {
         let point = self.scaled(point);
         !(is_finite(&self.low) && is_finite(&self.high))
             || (0..3).all(|drop| self.side_in_plane(point, drop) == 0)
     }
 
-    /// The side of the line on which a point is when one coordinate is dropped.
+    /// On which side of the line a point is if one coordinate is dropped.
     fn side_in_plane(&self, point: Point, drop: usize) -> i8 {
         let (x, y) = ((drop + 1) % 3, (drop + 2) % 3);
         let coord = |p: Point| Coord { x: p[x], y: p[y] };
@@ -145,7 +145,7 @@ impl Axis {
         sign(orient3d(coord(self.high), coord(one), coord(other), coord(self.low)))
     }
 
-    /// Whether a half-plane lies half a turn or more from the one at which the order starts.
+    /// Whether a half-plane lies half a turn or more behind the one at which the order starts.
     fn is_second_half(&self, zero: Point, point: Point) -> bool {
         match self.sine(zero, point) {
             0 => (0..3).any(|drop| {

@@ -1,4 +1,4 @@
-//! Opens the seams of patches that have no consistent side, and says what that added.
+//! Opens the seams of patches that have no consistent orientation, and says what that added.
 
 use meshmend_core::{Connectivity, CornerId, Defect, PolygonMesh};
 use petgraph::unionfind::UnionFind;
@@ -13,7 +13,7 @@ use crate::matching::{Matching, run_the_same_way};
 pub struct SeamFigures {
     /// How many edges were cut.
     pub edges: u64,
-    /// How long they are together; absent where one has no finite length.
+    /// How long they are together. Absent if one of them has no finite length.
     pub length: Option<f64>,
     /// How many edges there are now that would not be if the seams had been kept.
     pub edges_added: u64,
@@ -24,7 +24,7 @@ pub struct SeamFigures {
 /// A pair of sides that were matched before they were parted.
 pub(super) type Parted = (CornerId, CornerId);
 
-/// Parts matched sides that run the same way, in patches that have no consistent side.
+/// Parts matched sides that run the same way, in patches that have no consistent orientation.
 pub(super) fn part_seams<K: Connectivity>(kernel: &K, matching: &mut Matching) -> Vec<Parted> {
     let patches = PatchSides::patches(kernel, matching);
     let clashing: Vec<Parted> = matching
@@ -37,7 +37,7 @@ pub(super) fn part_seams<K: Connectivity>(kernel: &K, matching: &mut Matching) -
     clashing
 }
 
-/// The edges that were cut, as what was wrong.
+/// The edges that were cut, as defects.
 pub(super) fn seam_edges<K: Connectivity>(kernel: &K, seam: &[Parted]) -> impl Iterator<Item = Defect> {
     let edges = seam.iter().map(|&(one, _)| kernel.corner_edge(one));
     edges.map(|edge| Defect::seam_edge(edge, kernel.edge_ends(edge)))
@@ -45,7 +45,7 @@ pub(super) fn seam_edges<K: Connectivity>(kernel: &K, seam: &[Parted]) -> impl I
 
 /// What a seam took, when the corners are at these new vertices. Returns `None` where there is no seam.
 ///
-/// *Cost*: linear in the vertices where there is one.
+/// *Cost*: linear in the vertices if there is one.
 pub(super) fn seam_figures<K: Connectivity>(
     kernel: &K,
     mesh: &PolygonMesh,

@@ -1,7 +1,7 @@
 //! Pairs what is free at an edge of degree three or more into sheets, by the radial order of all its uses.
 //!
 //! With outward right-hand normals solid lies between a backward use and the next forward one; a closed orientable
-//! patch of negative volume is read the other way. Matched are in turn:
+//! patch of negative volume is read the other way. In turn these are matched:
 //!
 //! * (a) neighbours in the full order, both free, of one patch, with solid between them;
 //! * (b) free uses of one patch, opposite direction and different angle, as brackets are matched;
@@ -52,7 +52,7 @@ pub(super) fn match_sheets<K: Connectivity>(
     pairs.into_iter().flatten().for_each(|(one, other)| matching.pair(one, other));
 }
 
-/// The patch of each face, by number, and which patches are to be read inside out.
+/// The patch of each face by number, and which patches are read inside out.
 pub(super) struct PatchSides {
     patch: Column<FaceId, u32>,
     is_inside_out: Vec<bool>,
@@ -78,7 +78,7 @@ impl PatchSides {
         sides
     }
 
-    /// Tells which patches use an edge more often one way than the other.
+    /// Calls `tell` with each patch that uses an edge more often one way than the other.
     #[inline]
     fn each_unbalanced_patch<K: Connectivity>(&self, kernel: &K, edge: EdgeId, mut tell: impl FnMut(u32)) {
         let way = |is_forward| if is_forward { 1 } else { -1 };
@@ -101,7 +101,7 @@ impl PatchSides {
         }
     }
 
-    /// The patches alone, with those that have no consistent side.
+    /// The patches, and which of them have no consistent orientation. None is read inside out yet.
     pub(super) fn patches<K: Connectivity>(kernel: &K, matching: &Matching) -> Self {
         const NONE: u32 = u32::MAX;
         let mut sets = SidedClasses::new(kernel.face_count());
@@ -130,7 +130,7 @@ impl PatchSides {
         PatchSides { is_inside_out: vec![false; count as usize], patch, is_twisted }
     }
 
-    /// Whether the patch of a face has no consistent side.
+    /// Whether the patch of a face has no consistent orientation.
     pub(super) fn is_twisted(&self, face: FaceId) -> bool {
         self.is_twisted[self.patch[face] as usize]
     }
@@ -168,8 +168,8 @@ impl<K: Connectivity> Round<'_, K> {
         self.patch(a) == self.patch(b)
     }
 
-    /// Whether two uses run against each other, and are not of copies that differ. Such copies run the same way, unless
-    /// they come back to the edge.
+    /// Whether two uses run against each other and may be matched. Copies that differ run the same way, unless they come
+    /// back to the edge.
     fn is_opposite(&self, a: usize, b: usize) -> bool {
         let (one, other) = (&self.order[a], &self.order[b]);
         one.is_forward != other.is_forward && may_match(self.kernel, self.copies, one.corner, other.corner)
@@ -219,7 +219,7 @@ impl<K: Connectivity> Round<'_, K> {
             }
         }
         while let (Some(&first), Some(&last)) = (stack.front(), stack.back()) {
-            // A use left alone is both, and runs the same way as itself.
+            // A single use that is left is both ends, and runs the same way as itself.
             if !wanted(self, last, first) {
                 break;
             }
