@@ -49,7 +49,7 @@ fn checked_and_repaired(shape: &Shape) -> Repaired {
 #[track_caller]
 fn repaired(mesh: &PolygonMesh) -> Repaired {
     let repaired = Pipeline::default().on_emptying(Emptying::Allow).run(mesh).unwrap();
-    let report = repaired.report.as_ref().unwrap();
+    let report = repaired.topology.as_ref().unwrap();
     assert!(report.manifold && report.orientable && report.consistently_oriented);
     let survivors = repaired.provenance.faces.survivors(mesh.counts().faces);
     let lost = survivors.iter().filter(|survives| !**survives).count();
@@ -59,7 +59,7 @@ fn repaired(mesh: &PolygonMesh) -> Repaired {
 
 /// The kinds of surface in a repaired mesh, with how many there are of each.
 fn surfaces(repaired: &Repaired) -> Vec<(u64, &str)> {
-    let kinds = &repaired.report.as_ref().unwrap().component_kinds;
+    let kinds = &repaired.topology.as_ref().unwrap().component_kinds;
     kinds.iter().map(|kind| (kind.count, kind.name.as_deref().unwrap())).collect()
 }
 

@@ -10,7 +10,7 @@ use meshmend_core::{DefectKind, PolygonMesh};
 use meshmend_io::{Format, ReadOptions, WriteOptions, encode, held_layers, read, read_bytes};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
-    Emptying, NonOrientable, Orient, PassError, Pipeline, Plan, Repaired, Side, Split, SplitEdges,
+    Emptying, NonOrientable, Orient, PassError, Pipeline, Plan, Repaired, Session, Side, Split, SplitEdges,
     Triangulate, TriangulateFaces,
 };
 use meshmend_tests::corpus::{Entry, corpus};
@@ -88,7 +88,7 @@ fn assert_clean(plan: &Plan) {
         let path = scratch.path().join(format!("{number}.off"));
         // Without its attributes, as the checker does not know every variant of OFF.
         std::fs::write(&path, off(&repaired.mesh.with_layers(Vec::new()).unwrap())).unwrap();
-        (may_stay_twisted && !repaired.report.unwrap().orientable, path)
+        (may_stay_twisted && !repaired.topology.unwrap().orientable, path)
     };
     let written: Vec<(bool, PathBuf)> = meshes.par_iter().enumerate().map(repair).collect();
     let paths: Vec<PathBuf> = written.iter().map(|(_, path)| path.clone()).collect();
@@ -186,7 +186,7 @@ fn the_bytes_are_the_same_for_every_kernel() {
     let Some(entries) = corpus() else { return };
     assert_each(&readable(&entries), |(entry, mesh)| {
         let expected = off(&repaired(mesh).mesh);
-        let differs = |&kind: &KernelKind| match emptying().on_kernel(kind).run(mesh) {
+        let differs = |&kind: &KernelKind| match emptying().run_in(Session::begin(mesh).with_kernel(kind)) {
             Ok(other) => (off(&other.mesh) != expected).then(|| format!("{}: {kind} differs", entry.name)),
             Err(PassError::Refused(_)) if !kind.capabilities().is_permissive() => None,
             Err(error) => Some(format!("{}: {kind}: {error}", entry.name)),

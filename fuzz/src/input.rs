@@ -8,8 +8,8 @@ use arbitrary::{Arbitrary, Result, Unstructured};
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, PolygonMesh, Values, VertexId};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
-    Clean, Compact, Distance, Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, Orient,
-    PassKind, Plan, Repeated, Side, Split, SplitEdges, Triangulate, TriangulateFaces, Weld,
+    Clean, Compact, Distance, Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, OptionValues,
+    Orient, PassKind, Passes, Plan, Repeated, Side, Split, SplitEdges, Triangulate, TriangulateFaces, Weld,
 };
 use meshmend_testkit::Soup;
 
@@ -222,8 +222,26 @@ impl<'a> Arbitrary<'a> for Work {
         // What is chosen last leaves the meaning of inputs that are kept as it was.
         work.plan.clean.repeated = *u.choose(&[Repeated::KeepDifferent, Repeated::Drop])?;
         work.plan.empty = *u.choose(&[Emptying::Refuse, Emptying::Allow])?;
+        choose_the_rest(&mut work.plan, u)?;
         Ok(work)
     }
+}
+
+/// Chooses what `any_plan` leaves out: the options of the rows of all passes, so that a new one is covered.
+fn choose_the_rest(plan: &mut Plan, u: &mut Unstructured<'_>) -> Result<()> {
+    let chosen =
+        ["distance", "non-finite", "repeated", "side", "non-orientable", "duplicates", "edges", "faces"];
+    let loose = ["loose-edges", "loose-points"];
+    for kind in Passes::builtin().kinds() {
+        for option in kind.row().options {
+            let OptionValues::Words(words) = option.values else { continue };
+            for key in option.sets.iter().filter(|key| !chosen.contains(key) && !loose.contains(key)) {
+                let word = u.choose(words)?;
+                plan.set(kind, key, word.value).expect("a word of the row");
+            }
+        }
+    }
+    Ok(())
 }
 
 fn any_plan(u: &mut Unstructured<'_>) -> Result<Plan> {

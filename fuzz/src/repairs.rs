@@ -6,7 +6,7 @@ use arbitrary::{Arbitrary, Unstructured};
 use meshmend_core::{Layer, PolygonMesh};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
-    AnyPass, Context, Emptying, PassError, PassKind, Pipeline, Plan, Repaired, SplitEdges,
+    AnyPass, Context, Emptying, PassError, PassKind, Pipeline, Plan, Repaired, Session, SplitEdges,
 };
 use meshmend_testkit::laws::{Change, DefectCounts, Promise, layer_entries};
 use meshmend_testkit::{Soup, oracle, reference};
@@ -77,7 +77,7 @@ pub fn passes(data: &[u8]) {
         }
     }
     assert_every_kernel_agrees(&pipeline, &mesh, &result);
-    if let Ok(repaired) = pipeline.clone().on_kernel(kernel).run(&mesh) {
+    if let Ok(repaired) = pipeline.run_in(Session::begin(&mesh).with_kernel(kernel)) {
         assert_same_mesh(&repaired.mesh, &result.expect("the default kernel holds what another does").mesh);
     }
     let kinds: BTreeMap<PassKind, &AnyPass> =
@@ -173,7 +173,7 @@ fn assert_corners_kept_their_points(old: &PolygonMesh, repaired: &Repaired) {
 /// Every kernel that can hold any mesh gives the same mesh, record and error.
 fn assert_every_kernel_agrees(pipeline: &Pipeline, mesh: &PolygonMesh, result: &Result<Repaired, PassError>) {
     for &kernel in KernelKind::ALL.iter().filter(|kind| kind.capabilities().is_permissive()) {
-        match (result, &pipeline.clone().on_kernel(kernel).run(mesh)) {
+        match (result, &pipeline.run_in(Session::begin(mesh).with_kernel(kernel))) {
             (Ok(one), Ok(other)) => {
                 assert_same_mesh(&one.mesh, &other.mesh);
                 assert_eq!(one.provenance, other.provenance, "{kernel}");
@@ -203,7 +203,7 @@ fn assert_is_reference(repaired: &Repaired, wanted: &reference::Repaired) {
         (0..).zip(&wanted.flipped).filter(|(_, flip)| **flip).map(|(face, _)| face).collect();
     assert_eq!(record.flipped.iter().map(|f| f.0).collect::<Vec<_>>(), flipped);
     assert_eq!(record.created.len(), wanted.inserted.len());
-    let report = repaired.report.as_ref().expect("the pipeline ends with recompute");
+    let report = repaired.topology.as_ref().expect("the pipeline ends with verify");
     assert_eq!(report.non_orientable_patches, wanted.non_orientable.len() as u64);
 }
 

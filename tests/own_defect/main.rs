@@ -3,10 +3,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "these are tests")]
 
-mod contributing;
-
 use meshmend_cli::{Console, Program, Status};
 use meshmend_core::Rules;
+use meshmend_tests::example::Example;
 use meshmend_tests::scratch::Scratch;
 use serde_json::{Value, json};
 
@@ -116,4 +115,16 @@ fn a_repair_reports_it_before_and_after() {
         let code = rules().own().next().unwrap().code();
         assert!(groups.iter().any(|group| group["kind"] == code), "{state}");
     }
+}
+
+const EXAMPLE: Example = Example { folder: "tests/own_defect", registry: "own_rules" };
+
+#[test]
+fn the_diff_that_is_shown_is_true() {
+    EXAMPLE.assert_shown();
+}
+
+#[test]
+fn a_kind_is_one_file_and_one_row() {
+    EXAMPLE.assert_one_file_and_one_row();
 }

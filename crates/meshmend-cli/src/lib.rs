@@ -18,8 +18,9 @@ mod words;
 
 use std::ffi::OsString;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches, Parser};
 use meshmend::Rules;
+use meshmend::passes::Passes;
 
 pub use crate::console::Console;
 pub use crate::failure::Status;
@@ -76,13 +77,20 @@ pub fn run(
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Program {
     rules: Rules,
+    passes: Passes,
 }
 
 impl Program {
     /// The program with these kinds of defect: checks look for them, `--fail-on` takes and `explain` explains them.
     #[must_use]
     pub fn with_rules(self, rules: Rules) -> Self {
-        Program { rules }
+        Program { rules, ..self }
+    }
+
+    /// The program with these passes: plans may name them, `repair` has their options, and `explain` explains them.
+    #[must_use]
+    pub fn with_passes(self, passes: Passes) -> Self {
+        Program { passes, ..self }
     }
 
     /// Does what a command line says; the first argument is the name of the program. What went wrong is told on the
@@ -92,9 +100,9 @@ impl Program {
         arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
         console: &mut Console<'_>,
     ) -> Status {
-        let outcome = match CommandLine::try_parse_from(arguments) {
+        let outcome = match self.parse(arguments) {
             Ok(line) => Pool::start(line.threads, line.command.inputs())
-                .and_then(|pool| pool.install(|| line.command.run(self.rules, console))),
+                .and_then(|pool| pool.install(|| line.command.run(self, console))),
             Err(answer) => told(&answer, console),
         };
         outcome.unwrap_or_else(|failure| {
@@ -102,11 +110,26 @@ impl Program {
             failure.status
         })
     }
+
+    fn parse(
+        &self,
+        arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+    ) -> clap::error::Result<CommandLine> {
+        let matches = self.description().try_get_matches_from(arguments)?;
+        let mut line = CommandLine::from_arg_matches(&matches)?;
+        line.command.take_policies(&matches, self.passes);
+        Ok(line)
+    }
+
+    fn description(&self) -> clap::Command {
+        let with_options = |repair| policies::with_options(repair, self.passes);
+        CommandLine::command().mut_subcommand("repair", with_options)
+    }
 }
 
 /// What [`run`] takes, for those who want to go through it.
 pub fn description() -> clap::Command {
-    <CommandLine as clap::CommandFactory>::command()
+    Program::default().description()
 }
 
 /// Tells what the parser answers in place of a command line: help, the version, or what is wrong.

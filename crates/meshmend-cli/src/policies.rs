@@ -1,21 +1,23 @@
 //! The policies of a repair, from a plan file and from options, which override it.
+//!
+//! The options are those of the rows of the passes, so that a pass of another crate has its own.
 
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
-use meshmend::passes::{
-    Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, Repeated, Side, SplitEdges,
-    TriangulateFaces,
-};
-use meshmend::{FlippedNormals, PassKind, Plan};
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Arg, ArgMatches, Args, Command};
+use meshmend::passes::{Emptying, OptionValues, PassOption, Passes, TriangulateFaces};
+use meshmend::{PassKind, Plan};
 
 use crate::failure::Failure;
 use crate::words::{self, Welding};
 
 /// A plan is far shorter than this many bytes.
 const LONGEST_PLAN: u64 = 1 << 20;
+/// The word that leaves a pass out.
+const OFF: &str = "off";
 
 /// What each pass does.
 #[derive(Clone, Debug, Args)]
@@ -24,145 +26,62 @@ pub(crate) struct Policies {
     /// Read passes, their order and options from a TOML file; the options below override it
     #[arg(long, value_name = "FILE")]
     plan: Option<PathBuf>,
-    /// Which vertices are joined: none, exact, single (equal in single precision), within a length, or within a percentage
-    /// of the bounding box's diagonal
-    #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
-    weld: Option<Welding>,
-    /// Whether faces are made simple, and degenerate, non-finite and repeated ones removed
-    #[arg(long, value_enum)]
-    clean: Option<OnOff>,
-    /// Faces with a corner that is infinite or no number
-    #[arg(long, value_enum)]
-    non_finite: Option<NonFiniteWord>,
-    /// Faces that repeat another one but differ in material, object, group, colour or texture coordinates
-    #[arg(long, value_enum)]
-    repeated: Option<RepeatedWord>,
-    /// Which side of a patch is the front
-    #[arg(long, value_enum)]
-    orient: Option<OrientWord>,
-    /// Patches that have no consistent side
-    #[arg(long, value_enum)]
-    non_orientable: Option<NonOrientableWord>,
-    /// Faces that are there once in each direction
-    #[arg(long, value_enum)]
-    duplicates: Option<DuplicatesWord>,
-    /// Stored normals of faces that are turned round
-    #[arg(long, value_enum)]
-    flipped_normals: Option<FlippedNormalsWord>,
-    /// Edges with three faces or more, and pinched vertices
-    #[arg(long, value_enum)]
-    split: Option<SplitWord>,
-    /// Which faces are cut into triangles; by default all of them where the output's format holds nothing else
-    #[arg(long, value_enum)]
-    triangulate: Option<TriangulateWord>,
-    /// What happens to vertices, edges and points that no face uses
-    #[arg(long, value_enum)]
-    compact: Option<CompactWord>,
     /// Go on when no face would be left, in place of giving up
     #[arg(long)]
     allow_empty: bool,
+    #[arg(skip)]
+    said: Vec<Said>,
+    #[arg(skip)]
+    passes: Passes,
 }
 
-/// Whether a pass runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum OnOff {
-    /// Run the pass
-    On,
-    /// Leave it out
-    Off,
+/// An option of a pass, and the word that was given for it.
+#[derive(Clone, Debug)]
+struct Said {
+    pass: PassKind,
+    option: &'static PassOption,
+    word: String,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum NonFiniteWord {
-    /// Remove them, and say which
-    Drop,
-    /// Keep them
-    Keep,
-    /// Give up
-    Fail,
+/// A command with the options of these passes.
+pub(crate) fn with_options(command: Command, passes: Passes) -> Command {
+    let options = passes
+        .kinds()
+        .into_iter()
+        .flat_map(|pass| pass.row().options.iter().map(move |option| (pass, option)));
+    options.fold(command, |command, (pass, option)| command.arg(argument(pass, option)))
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum RepeatedWord {
-    /// Keep them, and say in what they differ; what the output's format can't hold is no difference
-    KeepDifferent,
-    /// Keep the first alone, and say what went with the others
-    Drop,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum OrientWord {
-    /// That of most of its faces
-    Majority,
-    /// The outer one where the patch is closed
-    Outward,
-    /// The same, but shells inside others alternate, as the walls of hollows do
-    OutwardNested,
-    /// Turn nothing
-    Off,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum NonOrientableWord {
-    /// Leave them as they are, and name them
-    Report,
-    /// Cut them open along a seam
-    Cut,
-    /// Give up
-    Fail,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum DuplicatesWord {
-    /// Keep both: a double-sided wall
-    Keep,
-    /// Remove as many of each direction as there are pairs
-    RemovePair,
-    /// Keep the first of each group
-    KeepFirst,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum FlippedNormalsWord {
-    /// Turn them too, and the handedness of tangents with them
-    Negate,
-    /// Keep them
-    Keep,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum SplitWord {
-    /// Take them apart into sheets
-    Sheets,
-    /// Take them apart wherever it is not beyond doubt what belongs together
-    Cut,
-    /// Split pinched vertices alone
-    PinchOnly,
-    /// Split nothing
-    Off,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum TriangulateWord {
-    /// Those that were triangles before and are no longer, if all were
-    Auto,
-    /// All
-    All,
-    /// None
-    Off,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum CompactWord {
-    /// Remove them, and say which
-    On,
-    /// Keep loose edges and points with their vertices; remove other vertices
-    KeepLoose,
-    /// Keep them all
-    Off,
+fn argument(pass: PassKind, option: &'static PassOption) -> Arg {
+    let argument = Arg::new(option.name).long(option.name).help(option.help).help_heading("Policies");
+    match option.values {
+        OptionValues::Distance => argument
+            .value_name("DISTANCE")
+            .value_parser(|word: &str| words::welding(word).map(|_| word.to_owned())),
+        OptionValues::Words(words) => {
+            let off =
+                (option.name == pass.name()).then(|| PossibleValue::new(OFF).help("Leave the pass out"));
+            let words = words.iter().map(|word| PossibleValue::new(word.name).help(word.help));
+            argument.value_name("WORD").value_parser(PossibleValuesParser::new(words.chain(off)))
+        }
+    }
 }
 
 impl Policies {
+    /// Takes over what a command line says of the options of these passes.
+    pub(crate) fn take(&mut self, matches: &ArgMatches, passes: Passes) {
+        self.passes = passes;
+        for pass in passes.kinds() {
+            let word = |option: &PassOption| matches.get_one::<String>(option.name).cloned();
+            let said = pass
+                .row()
+                .options
+                .iter()
+                .filter_map(|option| Some(Said { pass, option, word: word(option)? }));
+            self.said.extend(said);
+        }
+    }
+
     /// The file that the plan is read from.
     pub(crate) fn plan_file(&self) -> Option<&Path> {
         self.plan.as_deref()
@@ -170,22 +89,10 @@ impl Policies {
 
     /// The plan that they make.
     pub(crate) fn plan(&self) -> Result<Plan, Failure> {
-        let mut plan = self.plan.as_deref().map_or(Ok(Plan::default()), read_plan)?;
-        match self.weld {
-            Some(Welding::Off) => plan = plan.without(PassKind::Weld),
-            Some(Welding::Within(distance)) => with(&mut plan, PassKind::Weld).weld.distance = distance,
-            None => {}
-        }
-        plan = self.clean_into(plan)?;
-        plan = self.orient_into(plan)?;
-        if let Some(word) = self.split {
-            plan = split_into(plan, word);
-        }
-        if let Some(word) = self.triangulate {
-            plan = triangulate_into(plan, word);
-        }
-        if let Some(word) = self.compact {
-            plan = compact_into(plan, word);
+        let default = || Ok(Plan::of(self.passes));
+        let mut plan = self.plan.as_deref().map_or_else(default, |path| read_plan(path, self.passes))?;
+        for said in &self.said {
+            plan = if said.is_off() { self.left_out(plan, said)? } else { said.into_plan(plan)? };
         }
         if self.allow_empty {
             plan.empty = Emptying::Allow;
@@ -196,124 +103,55 @@ impl Policies {
     /// Their plan for an output that holds triangles alone: polygons are cut by the pass, which never repeats an edge,
     /// unless a plan or an option says otherwise.
     pub(crate) fn for_triangles(&self, plan: Plan) -> Plan {
-        let is_said = self.plan.is_some() || self.triangulate.is_some();
-        if is_said { plan } else { triangulate_into(plan, TriangulateWord::All) }
+        let is_said = self.plan.is_some() || self.said.iter().any(|said| said.pass == PassKind::Triangulate);
+        if is_said {
+            return plan;
+        }
+        let mut plan = plan.with(PassKind::Triangulate);
+        plan.triangulate.faces = TriangulateFaces::All;
+        plan
     }
 
-    fn clean_into(&self, mut plan: Plan) -> Result<Plan, Failure> {
-        if self.clean == Some(OnOff::Off) {
-            let idle = self.non_finite.map(|_| "--non-finite");
-            return left_out(plan, PassKind::Clean, idle.or(self.repeated.map(|_| "--repeated")));
-        }
-        if self.clean == Some(OnOff::On) {
-            with(&mut plan, PassKind::Clean);
-        }
-        if let Some(word) = self.non_finite {
-            with(&mut plan, PassKind::Clean).clean.non_finite = match word {
-                NonFiniteWord::Drop => NonFinite::Drop,
-                NonFiniteWord::Keep => NonFinite::Keep,
-                NonFiniteWord::Fail => NonFinite::Fail,
-            };
-        }
-        if let Some(word) = self.repeated {
-            with(&mut plan, PassKind::Clean).clean.repeated = match word {
-                RepeatedWord::KeepDifferent => Repeated::KeepDifferent,
-                RepeatedWord::Drop => Repeated::Drop,
-            };
-        }
-        Ok(plan)
-    }
-
-    fn orient_into(&self, mut plan: Plan) -> Result<Plan, Failure> {
-        let side = match self.orient {
-            Some(OrientWord::Off) => {
-                let idle = self.non_orientable.map(|_| "--non-orientable");
-                let idle = idle.or(self.duplicates.map(|_| "--duplicates"));
-                let idle = idle.or(self.flipped_normals.map(|_| "--flipped-normals"));
-                return left_out(plan, PassKind::Orient, idle);
+    /// The plan without a pass; another option of a pass that does not run is a mistake of the user.
+    fn left_out(&self, plan: Plan, off: &Said) -> Result<Plan, Failure> {
+        let idle =
+            self.said.iter().find(|other| other.pass == off.pass && other.option.name != off.option.name);
+        match idle {
+            None => Ok(plan.without(off.pass)),
+            Some(idle) => {
+                let (idle, pass) = (idle.option.name, off.pass);
+                Err(Failure::usage(format!("--{idle} has no meaning with --{pass} off")))
             }
-            Some(OrientWord::Majority) => Some(Side::Majority),
-            Some(OrientWord::Outward) => Some(Side::Outward),
-            Some(OrientWord::OutwardNested) => Some(Side::OutwardNested),
-            None => None,
-        };
-        if let Some(side) = side {
-            with(&mut plan, PassKind::Orient).orient.side = side;
         }
-        if let Some(word) = self.non_orientable {
-            with(&mut plan, PassKind::Orient).orient.non_orientable = match word {
-                NonOrientableWord::Report => NonOrientable::Report,
-                NonOrientableWord::Cut => NonOrientable::Cut,
-                NonOrientableWord::Fail => NonOrientable::Fail,
+    }
+}
+
+impl Said {
+    /// Whether this leaves the pass out.
+    fn is_off(&self) -> bool {
+        let is_off = self.word == OFF || words::welding(&self.word) == Ok(Welding::Off);
+        self.option.name == self.pass.name() && is_off
+    }
+
+    /// The plan with the pass, and the option set.
+    fn into_plan(&self, plan: Plan) -> Result<Plan, Failure> {
+        let mut plan = plan.with(self.pass);
+        for key in self.option.sets {
+            let set = match (self.option.values, words::welding(&self.word)) {
+                (OptionValues::Distance, Ok(Welding::Within(distance))) => plan.set(self.pass, key, distance),
+                (OptionValues::Distance, _) => plan.set(self.pass, key, &self.word),
+                (OptionValues::Words(words), _) => {
+                    let word = words.iter().find(|word| word.name == self.word);
+                    plan.set(self.pass, key, word.map_or(self.word.as_str(), |word| word.value))
+                }
             };
-        }
-        if let Some(word) = self.flipped_normals {
-            with(&mut plan, PassKind::Orient).orient.flipped_normals = match word {
-                FlippedNormalsWord::Negate => FlippedNormals::Negate,
-                FlippedNormalsWord::Keep => FlippedNormals::Keep,
-            };
-        }
-        if let Some(word) = self.duplicates {
-            with(&mut plan, PassKind::Orient).orient.duplicates = match word {
-                DuplicatesWord::Keep => Duplicates::Keep,
-                DuplicatesWord::RemovePair => Duplicates::RemovePair,
-                DuplicatesWord::KeepFirst => Duplicates::KeepFirst,
-            };
+            set.map_err(|error| Failure::usage(error.to_string()))?;
         }
         Ok(plan)
     }
 }
 
-fn split_into(mut plan: Plan, word: SplitWord) -> Plan {
-    let edges = match word {
-        SplitWord::Off => return plan.without(PassKind::Split),
-        SplitWord::Sheets => SplitEdges::Sheets,
-        SplitWord::Cut => SplitEdges::Cut,
-        SplitWord::PinchOnly => SplitEdges::PinchOnly,
-    };
-    with(&mut plan, PassKind::Split).split.edges = edges;
-    plan
-}
-
-fn triangulate_into(mut plan: Plan, word: TriangulateWord) -> Plan {
-    let faces = match word {
-        TriangulateWord::Off => return plan.without(PassKind::Triangulate),
-        TriangulateWord::Auto => TriangulateFaces::Auto,
-        TriangulateWord::All => TriangulateFaces::All,
-    };
-    with(&mut plan, PassKind::Triangulate).triangulate.faces = faces;
-    plan
-}
-
-fn compact_into(mut plan: Plan, word: CompactWord) -> Plan {
-    let loose = match word {
-        CompactWord::Off => return plan.without(PassKind::Compact),
-        CompactWord::On => LooseElements::Remove,
-        CompactWord::KeepLoose => LooseElements::Keep,
-    };
-    let compact = &mut with(&mut plan, PassKind::Compact).compact;
-    (compact.loose_edges, compact.loose_points) = (loose, loose);
-    plan
-}
-
-/// The plan without a pass; an option of a pass that does not run is a mistake of the user.
-fn left_out(plan: Plan, pass: PassKind, idle_option: Option<&str>) -> Result<Plan, Failure> {
-    match idle_option {
-        None => Ok(plan.without(pass)),
-        Some(option) => Err(Failure::usage(format!("{option} has no meaning with --{pass} off"))),
-    }
-}
-
-/// The plan with a pass: where it is, or at its usual place.
-fn with(plan: &mut Plan, pass: PassKind) -> &mut Plan {
-    if !plan.passes.contains(&pass) {
-        let at = plan.passes.iter().position(|&other| other > pass).unwrap_or(plan.passes.len());
-        plan.passes.insert(at, pass);
-    }
-    plan
-}
-
-fn read_plan(path: &Path) -> Result<Plan, Failure> {
+fn read_plan(path: &Path, passes: Passes) -> Result<Plan, Failure> {
     let failed = |reason: String| Failure::usage(format!("{}: {reason}", path.display()));
     let mut text = String::new();
     let file = File::open(path).map_err(|error| failed(error.to_string()))?;
@@ -322,13 +160,14 @@ fn read_plan(path: &Path) -> Result<Plan, Failure> {
     if length as u64 == LONGEST_PLAN {
         return Err(failed("too long for a plan".to_owned()));
     }
-    Plan::from_toml(&text).map_err(|error| failed(error.to_string()))
+    Plan::from_toml_with(&text, passes).map_err(|error| failed(error.to_string()))
 }
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-    use meshmend::Distance;
+    use clap::{CommandFactory, FromArgMatches, Parser};
+    use meshmend::passes::{Duplicates, LooseElements, NonFinite, NonOrientable, Repeated, Side, SplitEdges};
+    use meshmend::{Distance, FlippedNormals};
 
     use super::*;
 
@@ -339,7 +178,11 @@ mod tests {
     }
 
     fn plan(options: &[&str]) -> Result<Plan, Failure> {
-        Line::parse_from(std::iter::once("meshmend").chain(options.iter().copied())).policies.plan()
+        let command = with_options(Line::command(), Passes::builtin());
+        let matches = command.get_matches_from(std::iter::once("meshmend").chain(options.iter().copied()));
+        let mut policies = Line::from_arg_matches(&matches).unwrap().policies;
+        policies.take(&matches, Passes::builtin());
+        policies.plan()
     }
 
     #[test]
@@ -397,7 +240,7 @@ mod tests {
         let options: Vec<String> =
             options.iter().flat_map(|pass| [format!("--{pass}"), "off".into()]).collect();
         let options: Vec<&str> = options.iter().map(String::as_str).collect();
-        assert_eq!(plan(&options).unwrap().passes, [PassKind::Recompute]);
+        assert_eq!(plan(&options).unwrap().passes, [PassKind::Verify]);
     }
 
     #[test]
@@ -406,15 +249,5 @@ mod tests {
         assert!(plan(&["--clean", "off", "--repeated", "drop"]).is_err());
         assert!(plan(&["--orient", "off", "--duplicates", "keep"]).is_err());
         assert!(plan(&["--orient", "off", "--flipped-normals", "keep"]).is_err());
-    }
-
-    #[test]
-    fn a_pass_that_a_plan_leaves_out_comes_back_at_its_place() {
-        let mut plan = Plan::from_toml("passes = ['weld', 'compact']").unwrap();
-        with(&mut plan, PassKind::Orient);
-        with(&mut plan, PassKind::Recompute);
-        with(&mut plan, PassKind::Weld);
-        let expected = [PassKind::Weld, PassKind::Orient, PassKind::Compact, PassKind::Recompute];
-        assert_eq!(plan.passes, expected);
     }
 }

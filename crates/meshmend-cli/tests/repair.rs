@@ -45,7 +45,7 @@ fn the_json_report_has_before_after_and_every_pass() {
     assert_eq!((&report["before"]["manifold"], &report["after"]["manifold"]), (&json!(false), &json!(true)));
     assert_eq!(report["after"]["file"], output.as_str());
     let passes: Vec<&Value> = report["passes"].as_array().unwrap().iter().map(|pass| &pass["pass"]).collect();
-    assert_eq!(passes, ["weld", "clean", "orient", "split", "triangulate", "compact", "recompute"]);
+    assert_eq!(passes, ["weld", "clean", "orient", "split", "triangulate", "compact", "verify"]);
     let weld = &report["passes"][0];
     assert_eq!(weld["changed"], true);
     assert_eq!(weld["mended"]["coincident-vertex"]["count"], 6);
@@ -131,7 +131,7 @@ fn a_plan_is_followed_and_options_override_it() {
     );
     assert_eq!(cut["after"]["component_kinds"][0]["name"], "disc");
     let passes: Vec<&Value> = cut["passes"].as_array().unwrap().iter().map(|pass| &pass["pass"]).collect();
-    assert_eq!(passes, ["weld", "clean", "orient", "split", "orient", "compact", "recompute"]);
+    assert_eq!(passes, ["weld", "clean", "orient", "split", "orient", "compact", "verify"]);
     let overridden = repaired(&["--plan", &plan, "--non-orientable", "report", "--triangulate", "all"]);
     assert_eq!(overridden["after"]["orientable"], false);
     assert_eq!(

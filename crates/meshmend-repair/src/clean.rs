@@ -28,7 +28,9 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::telling::{Looks, Telling};
-use crate::{Context, Outcome, Pass, PassError, TellingLayers};
+use crate::{
+    Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, TellingLayers, Word,
+};
 
 mod holes;
 mod repeats;
@@ -71,9 +73,49 @@ pub enum NonFinite {
     Fail,
 }
 
+/// All that is said of the pass.
+pub(crate) const ROW: PassRow = PassRow {
+    name: "clean",
+    explanation: "Removes faces with non-finite corners, folds repeated corners and spikes away, splits faces that come back \
+                  to a vertex, removes degenerate faces, and of faces that are the same as stored keeps the first.",
+    is_default: true,
+    before: None,
+    options: &[
+        PassOption {
+            name: "clean",
+            help: "Whether faces are made simple, and degenerate, non-finite and repeated ones removed",
+            sets: &[],
+            values: OptionValues::Words(&[Word::new("on", "Run the pass")]),
+        },
+        PassOption {
+            name: "non-finite",
+            help: "Faces with a corner that is infinite or not a number",
+            sets: &["non-finite"],
+            values: OptionValues::Words(&[
+                Word::new("drop", "Remove them, and say which"),
+                Word::new("keep", "Keep them"),
+                Word::new("fail", "Give up"),
+            ]),
+        },
+        PassOption {
+            name: "repeated",
+            help: "Faces that repeat another one but differ in material, object, group, colour or texture coordinates",
+            sets: &["repeated"],
+            values: OptionValues::Words(&[
+                Word::new(
+                    "keep-different",
+                    "Keep them, and say in what they differ; what the output's format can't hold is not a difference",
+                ),
+                Word::new("drop", "Keep the first alone, and say what went with the others"),
+            ]),
+        },
+    ],
+    form: Form::of::<Clean>(),
+};
+
 impl Pass for Clean {
-    fn name(&self) -> &'static str {
-        "clean"
+    fn kind(&self) -> PassKind {
+        PassKind::Clean
     }
     fn removes(&self) -> &'static [DefectKind] {
         match self.non_finite {
@@ -108,7 +150,7 @@ impl Pass for Clean {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        if context.report.is_some_and(is_clean) {
+        if context.known.is_some_and(is_clean) {
             return Ok(Outcome::unchanged(mesh));
         }
         let pieces = self.simple_pieces(mesh)?;
@@ -348,7 +390,7 @@ impl Pieces<'_> {
         let faces = builder.build(mesh.counts().vertices)?;
         let draft =
             Draft::of_faces(mesh, faces, Sources::listed(face_sources), Sources::listed(corner_sources));
-        let outcome = Outcome::changed(mesh.rebuild(draft)?, self.fixed.into());
+        let outcome = Outcome::changed(mesh.rebuild(draft)?, self.fixed);
         Ok(Outcome { left, differed, ..outcome })
     }
 }

@@ -14,7 +14,9 @@
 use meshmend_core::{Defect, DefectKind, Draft, Id, Loose, PolygonMesh, Sources, VertexId};
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, History, Outcome, Pass, PassError};
+use crate::{
+    Context, Form, History, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
+};
 
 /// Removes what no face uses, and names it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -37,9 +39,32 @@ pub enum LooseElements {
     Keep,
 }
 
+/// All that is said of the pass.
+pub(crate) const ROW: PassRow = PassRow {
+    name: "compact",
+    explanation: "Removes unreferenced vertices, loose edges and loose points, keeps the order of the rest, and lists what \
+                  went.",
+    is_default: true,
+    before: None,
+    options: &[PassOption {
+        name: "compact",
+        help: "What happens to vertices, edges and points that no face uses",
+        sets: &["loose-edges", "loose-points"],
+        values: OptionValues::Words(&[
+            Word::standing_for("on", "remove", "Remove them, and say which"),
+            Word::standing_for(
+                "keep-loose",
+                "keep",
+                "Keep loose edges and points with their vertices; remove other vertices",
+            ),
+        ]),
+    }],
+    form: Form::of::<Compact>(),
+};
+
 impl Pass for Compact {
-    fn name(&self) -> &'static str {
-        "compact"
+    fn kind(&self) -> PassKind {
+        PassKind::Compact
     }
     fn removes(&self) -> &'static [DefectKind] {
         use DefectKind::{LooseEdge, LoosePoint, UnreferencedVertex};
@@ -72,7 +97,7 @@ impl Pass for Compact {
         if fixed.is_empty() {
             return Ok(Outcome::unchanged(mesh));
         }
-        Ok(Outcome::changed(mesh.rebuild(draft(mesh, &is_kept, drop_loose)?)?, fixed.into()))
+        Ok(Outcome::changed(mesh.rebuild(draft(mesh, &is_kept, drop_loose)?)?, fixed))
     }
 }
 

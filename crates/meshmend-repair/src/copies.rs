@@ -35,7 +35,7 @@ impl Copies {
         mesh: &PolygonMesh,
         context: &Context<'_>,
     ) -> Option<Self> {
-        if context.report.is_some_and(|report| report.duplicate_faces.same == 0) {
+        if context.known.is_some_and(|report| report.duplicate_faces.same == 0) {
             return None;
         }
         let telling = Telling::of(mesh, context.telling)?;

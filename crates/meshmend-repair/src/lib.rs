@@ -5,7 +5,7 @@
 //! oriented where that can be, and free of rubbish, without deleting a face that is not degenerate, non-finite or
 //! there twice:
 //!
-//! [`Weld`] → [`Clean`] → [`Orient`] → [`Split`] → [`Triangulate`] → [`Compact`] → [`Recompute`]
+//! [`Weld`] → [`Clean`] → [`Orient`] → [`Split`] → [`Triangulate`] → [`Compact`] → [`Verify`]
 //!
 //! A [`Plan`] says the same in a file.
 
@@ -15,40 +15,42 @@ mod compact;
 mod copies;
 mod emptied;
 mod emptied_names;
-mod examined;
 mod figures;
 mod fixed;
 mod free_points;
 mod matching;
 mod orient;
 mod pass;
+mod pass_row;
 mod pipeline;
 mod plan;
-mod recompute;
 mod registry;
+mod session;
 mod sewing;
 mod split;
 mod stored_vertices;
 mod telling;
 mod triangulate;
+mod verify;
 mod weld;
 
 pub use clean::{Clean, NonFinite, Repeated};
 pub use compact::{Compact, LooseElements};
 pub use emptied::{Emptied, Emptying, EmptyingCause};
 pub use emptied_names::{EmptiedName, emptied_names};
-pub use examined::Examined;
 pub use figures::Figures;
 pub use fixed::Fixed;
 pub use free_points::{Clearance, Precision, Subdivision, Unused};
 pub use meshmend_geometry::rounding::Rounding;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};
 pub use pass::{Context, History, Outcome, Pass, PassError};
+pub use pass_row::{Form, OptionValues, PassOption, PassRow, Word};
 pub use pipeline::{FaceStorage, PassRecord, Pipeline, RemovedFace, Repaired, Writing};
-pub use plan::{Plan, PlanError};
-pub use recompute::Recompute;
-pub use registry::{AnyPass, PassKind};
+pub use plan::PlanError;
+pub use registry::{AnyPass, OwnPass, PassKind, Passes, Plan};
+pub use session::{Looked, Session};
 pub use split::{SeamFigures, Seams, Split, SplitEdges};
 pub use telling::TellingLayers;
 pub use triangulate::{Triangulate, TriangulateFaces};
+pub use verify::Verify;
 pub use weld::{Distance, Weld};

@@ -32,7 +32,7 @@ use meshmend_core::{Connectivity, DefectKind, PolygonMesh};
 use meshmend_kernels::KernelTask;
 use meshmend_topology::TopologyReport;
 
-use crate::{Context, Outcome, Pass, PassError};
+use crate::{Context, Outcome, Pass, PassError, PassKind};
 
 mod crossing;
 mod fates;
@@ -53,6 +53,7 @@ mod seams;
 mod subject;
 mod winding;
 
+pub(crate) use options::ROW;
 pub use options::{Duplicates, NonOrientable, Orient, Side};
 
 use fates::Fates;
@@ -62,8 +63,8 @@ use patches::{Choice, Contradiction, Patches, Policy};
 use subject::{Oriented, Subject};
 
 impl Pass for Orient {
-    fn name(&self) -> &'static str {
-        "orient"
+    fn kind(&self) -> PassKind {
+        PassKind::Orient
     }
     fn removes(&self) -> &'static [DefectKind] {
         &[DefectKind::InconsistentEdge]
@@ -84,7 +85,7 @@ impl Pass for Orient {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        if self.side == Side::Majority && context.report.is_some_and(is_oriented) {
+        if self.side == Side::Majority && context.known.is_some_and(is_oriented) {
             return Ok(Outcome::unchanged(mesh));
         }
         context.kernel.run(mesh.complex(), Task { options: self, mesh, context })?

@@ -1,26 +1,52 @@
 //! What every repair is: a function from a mesh to a mesh and a record of what it did.
 
+use std::any::Any;
+use std::borrow::Cow;
+use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use meshmend_core::{
-    Defect, DefectKind, Differences, DraftError, FaceId, FaceTableError, PolygonMesh, Provenance, Refusal,
+    Connectivity, Defect, DefectKind, Differences, DraftError, FaceId, FaceTableError, PolygonMesh,
+    Provenance, Refusal,
 };
-use meshmend_kernels::KernelKind;
-use meshmend_topology::TopologyReport;
+use meshmend_kernels::{KernelKind, KernelTask};
+use meshmend_topology::{TopologyReport, Witness, topology_with};
 use thiserror::Error;
 
-use crate::{Clearance, Emptied, FaceStorage, Fixed, SeamFigures, TellingLayers};
+use crate::{Clearance, Emptied, FaceStorage, Fixed, PassKind, SeamFigures, TellingLayers};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
-pub trait Pass {
+pub trait Pass: Any + fmt::Debug + Send + Sync {
+    /// Which pass it is. A pass of another crate gives [`PassKind::Own`] with its row.
+    fn kind(&self) -> PassKind;
     /// What the pass is called in plans, reports and on the command line.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &'static str {
+        self.kind().name()
+    }
     /// What is gone afterwards.
-    fn removes(&self) -> &'static [DefectKind];
+    fn removes(&self) -> &'static [DefectKind] {
+        &[]
+    }
     /// What must be gone before, for the pass to keep its promise.
-    fn requires(&self) -> &'static [DefectKind];
+    fn requires(&self) -> &'static [DefectKind] {
+        &[]
+    }
     /// What may be there afterwards though it was not before.
     fn may_introduce(&self) -> &'static [DefectKind];
+    /// Whether the pass uses the topology of the mesh, so that the session finds it out before and keeps it.
+    fn looks_at_topology(&self) -> bool {
+        false
+    }
+    /// Whether the pass finds nothing to do in what it has made. Only such passes run again where a pipeline goes on in rounds
+    /// until a second run would change nothing; any other pass of another crate runs once.
+    fn is_idempotent(&self) -> bool {
+        !matches!(self.kind(), PassKind::Own(_))
+    }
+    /// How far apart vertices of a mesh may be that the pass joins.
+    fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
+        let _ = mesh;
+        0.0
+    }
     /// Mends the mesh.
     ///
     /// # Errors
@@ -40,8 +66,6 @@ pub struct Outcome {
     pub fixed: Fixed,
     /// What the pass saw and left alone, by ids of the mesh after.
     pub left: Vec<Defect>,
-    /// The topology of the mesh after, where the pass looked at all of it.
-    pub report: Option<Box<TopologyReport>>,
     /// What cutting non-orientable patches open took, where the pass did.
     pub seam: Option<SeamFigures>,
     /// The faces that went as repeats of others although they differ from them, by ids of the mesh before.
@@ -49,9 +73,10 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The outcome of a pass that made a new mesh.
-    pub(crate) fn changed((mesh, provenance): (PolygonMesh, Provenance), fixed: Fixed) -> Self {
-        Outcome { mesh, provenance, fixed, left: Vec::new(), report: None, seam: None, differed: Vec::new() }
+    /// The outcome of a pass that made a new mesh, where each of its elements came from, and what that fixed.
+    /// [`PolygonMesh::rebuild`] gives the first two.
+    pub fn changed((mesh, provenance): (PolygonMesh, Provenance), fixed: impl Into<Fixed>) -> Self {
+        Outcome { mesh, provenance, fixed: fixed.into(), left: Vec::new(), seam: None, differed: Vec::new() }
     }
 
     /// The outcome of a pass that had nothing to do. *Cost*: O(1).
@@ -61,7 +86,6 @@ impl Outcome {
             mesh: mesh.clone(),
             fixed: Fixed::default(),
             left: Vec::new(),
-            report: None,
             seam: None,
             differed: Vec::new(),
         }
@@ -106,6 +130,14 @@ pub enum PassError {
         /// What should not be there.
         defect: Defect,
     },
+    /// A pass of another crate removed a face and did not say why.
+    #[error("{pass} removed {face} and fixed no defect of it")]
+    Unnamed {
+        /// The pass.
+        pass: &'static str,
+        /// The face, by its id before the pass.
+        face: FaceId,
+    },
     /// The result would have more elements than a mesh holds.
     #[error(transparent)]
     Table(#[from] FaceTableError),
@@ -123,26 +155,62 @@ impl std::fmt::Display for Named<'_> {
     }
 }
 
-/// What a pass needs to know beside the mesh and its own options.
+/// What a pass needs to know beside the mesh and its own options. The default is that of a pass that runs alone.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Context<'a> {
-    /// The kernel to compute on.
-    pub kernel: KernelKind,
+    pub(crate) kernel: KernelKind,
     /// What was done to the mesh before, if it is not as stored.
-    pub history: Option<&'a History>,
-    /// Set by another thread to stop the work.
-    pub cancel: Option<&'a AtomicBool>,
-    /// The topology of the mesh, if it is known already.
-    pub report: Option<&'a TopologyReport>,
+    pub(crate) history: Option<&'a History>,
+    pub(crate) cancel: Option<&'a AtomicBool>,
+    /// The topology of the mesh, if it is known already. Only a session knows it.
+    pub(crate) known: Option<&'a TopologyReport>,
     /// What created vertices keep clear of.
-    pub clearance: Clearance,
+    pub(crate) clearance: Clearance,
     /// Which attribute layers tell a face from another one over the same vertices.
-    pub telling: TellingLayers<'a>,
+    pub(crate) telling: TellingLayers<'a>,
     /// How the result will be stored, if not by the vertices that faces share.
-    pub storage: Option<&'a FaceStorage>,
+    pub(crate) storage: Option<&'a FaceStorage>,
 }
 
-impl Context<'_> {
+impl<'a> Context<'a> {
+    /// The context with this kernel to compute on.
+    pub fn with_kernel(self, kernel: KernelKind) -> Self {
+        Context { kernel, ..self }
+    }
+
+    /// The context of a mesh to which this was done before.
+    pub fn with_history(self, history: &'a History) -> Self {
+        Context { history: Some(history), ..self }
+    }
+
+    /// The context with this for created vertices to keep clear of.
+    pub fn with_clearance(self, clearance: Clearance) -> Self {
+        Context { clearance, ..self }
+    }
+
+    /// The kernel to compute on.
+    pub fn kernel(&self) -> KernelKind {
+        self.kernel
+    }
+
+    /// What was done to the mesh before, if it is not as stored.
+    pub fn history(&self) -> Option<&'a History> {
+        self.history
+    }
+
+    /// The topology of the mesh that the pass is applied to.
+    ///
+    /// # Errors
+    /// When the kernel can't hold the mesh.
+    ///
+    /// *Cost*: none where a session knows it, else that of [`topology`](meshmend_topology::topology).
+    pub fn topology(&self, mesh: &PolygonMesh) -> Result<Cow<'a, TopologyReport>, PassError> {
+        match self.known {
+            Some(known) => Ok(Cow::Borrowed(known)),
+            None => Ok(Cow::Owned(topology_on(self.kernel, mesh, Witness::default())?)),
+        }
+    }
+
     /// Fails when the caller has asked to stop. Passes call it between their steps.
     ///
     /// # Errors
@@ -152,6 +220,27 @@ impl Context<'_> {
             Some(cancel) if cancel.load(Ordering::Relaxed) => Err(PassError::Cancelled),
             _ => Ok(()),
         }
+    }
+}
+
+/// The topology of a mesh as a kernel gives it.
+pub(crate) fn topology_on(
+    kernel: KernelKind,
+    mesh: &PolygonMesh,
+    witness: Witness,
+) -> Result<TopologyReport, PassError> {
+    Ok(kernel.run(mesh.complex(), Analyse { mesh, witness })?)
+}
+
+struct Analyse<'a> {
+    mesh: &'a PolygonMesh,
+    witness: Witness,
+}
+
+impl KernelTask for Analyse<'_> {
+    type Output = TopologyReport;
+    fn run<K: Connectivity>(self, kernel: &K) -> TopologyReport {
+        topology_with(kernel, self.mesh, self.witness)
     }
 }
 

@@ -1,7 +1,7 @@
 //! A plan file: which passes, in which order, with which options, in TOML.
 //!
 //! ```toml
-//! passes = ["weld", "clean", "orient", "split", "triangulate", "compact", "recompute"]
+//! passes = ["weld", "clean", "orient", "split", "triangulate", "compact", "verify"]
 //! empty = "refuse"                    # allow: a result without a face
 //!
 //! [weld]
@@ -29,59 +29,40 @@
 //!
 //! What is not said has its default. A word that is not known is an error, with its line.
 
-use serde::{Deserialize, Serialize};
+mod form;
+
+use serde::Serialize;
+use serde::de::DeserializeSeed;
 use thiserror::Error;
+use toml::Value;
 
-use crate::{
-    AnyPass, Clean, Compact, Emptying, Orient, PassKind, Pipeline, Recompute, Split, Triangulate, Weld,
-};
-
-/// The passes of a pipeline with their options, as a file says them.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Plan {
-    /// The passes, in order.
-    pub passes: Vec<PassKind>,
-    /// What happens when no face would be left.
-    pub empty: Emptying,
-    /// Options of `weld`.
-    pub weld: Weld,
-    /// Options of `clean`.
-    pub clean: Clean,
-    /// Options of `orient`.
-    pub orient: Orient,
-    /// Options of `split`.
-    pub split: Split,
-    /// Options of `triangulate`.
-    pub triangulate: Triangulate,
-    /// Options of `compact`.
-    pub compact: Compact,
-    /// Options of `recompute`.
-    pub recompute: Recompute,
-}
+use self::form::PlanOf;
+use crate::{AnyPass, PassKind, Passes, Pipeline, Plan};
 
 impl Default for Plan {
     fn default() -> Self {
-        Plan {
-            passes: PassKind::ALL.to_vec(),
-            empty: Emptying::default(),
-            weld: Weld::default(),
-            clean: Clean::default(),
-            orient: Orient::default(),
-            split: Split::default(),
-            triangulate: Triangulate::default(),
-            compact: Compact::default(),
-            recompute: Recompute::default(),
-        }
+        Plan::of(Passes::builtin())
     }
 }
 
-/// Why a text is no plan: the message names the line and the word.
+/// Why a text is not a plan, or a pass can't be what is asked for. The message of a text names the line and the word.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{0}")]
 pub struct PlanError(String);
 
+impl PlanError {
+    pub(crate) fn new(reason: String) -> Self {
+        PlanError(reason)
+    }
+}
+
 impl Plan {
+    /// The plan of the passes that run by default, with their defaults.
+    pub fn of(passes: Passes) -> Self {
+        let kinds = passes.kinds();
+        Plan::running(kinds.into_iter().filter(|kind| kind.row().is_default).collect())
+    }
+
     /// Reads a plan.
     ///
     /// ```
@@ -95,7 +76,17 @@ impl Plan {
     /// # Errors
     /// When the text is not TOML, or says something that no pass knows.
     pub fn from_toml(text: &str) -> Result<Self, PlanError> {
-        toml::from_str(text).map_err(|error| PlanError(error.to_string().trim_end().to_owned()))
+        Plan::from_toml_with(text, Passes::builtin())
+    }
+
+    /// Reads a plan that may name these passes.
+    ///
+    /// # Errors
+    /// As [`from_toml`](Self::from_toml).
+    pub fn from_toml_with(text: &str, passes: Passes) -> Result<Self, PlanError> {
+        let read =
+            toml::Deserializer::parse(text).and_then(|deserializer| PlanOf(passes).deserialize(deserializer));
+        read.map_err(|error| PlanError(error.to_string().trim_end().to_owned()))
     }
 
     /// Leaves a pass out.
@@ -104,20 +95,46 @@ impl Plan {
         self
     }
 
+    /// Has a pass run: where it does, or at its usual place.
+    pub fn with(mut self, pass: PassKind) -> Self {
+        if !self.passes.contains(&pass) {
+            let at = self.passes.iter().position(|&other| other > pass).unwrap_or(self.passes.len());
+            self.passes.insert(at, pass);
+        }
+        self
+    }
+
+    /// Sets an option of a pass to what a plan file would say.
+    ///
+    /// # Errors
+    /// When the pass does not have the option, or the option can't be that.
+    pub fn set(&mut self, kind: PassKind, key: &str, value: impl Serialize) -> Result<(), PlanError> {
+        let form = kind.row().form;
+        let read = || {
+            let mut options = form.write(self.pass(kind).as_pass())?;
+            options.insert(key.to_owned(), Value::try_from(value).map_err(|error| error.to_string())?);
+            form.read(options)
+        };
+        let pass = read().map_err(|reason| PlanError(format!("{kind}: {reason}")))?;
+        self.put(pass);
+        Ok(())
+    }
+
     /// The pipeline that the plan describes.
     pub fn pipeline(&self) -> Pipeline {
         Pipeline::new(self.passes.iter().map(|&kind| self.pass(kind))).on_emptying(self.empty)
     }
 
+    /// A pass with its options.
     fn pass(&self, kind: PassKind) -> AnyPass {
-        match kind {
-            PassKind::Weld => self.weld.clone().into(),
-            PassKind::Clean => self.clean.clone().into(),
-            PassKind::Orient => self.orient.clone().into(),
-            PassKind::Split => self.split.clone().into(),
-            PassKind::Triangulate => self.triangulate.clone().into(),
-            PassKind::Compact => self.compact.clone().into(),
-            PassKind::Recompute => self.recompute.clone().into(),
+        let own = || self.own.iter().find(|pass| pass.kind() == kind).cloned().map(AnyPass::Own);
+        self.builtin(kind).or_else(own).unwrap_or_else(|| kind.with_defaults())
+    }
+
+    fn put(&mut self, pass: AnyPass) {
+        if let Some(own) = self.set_builtin(pass) {
+            self.own.retain(|pass| pass.kind() != own.kind());
+            self.own.push(own);
         }
     }
 }
@@ -132,7 +149,35 @@ mod tests {
         let unknown = failure("passes = [\"weld\"]\n[weld]\ndistnace = \"exact\"");
         assert!(unknown.contains("line 3") && unknown.contains("unknown field `distnace`"), "{unknown}");
         let pass = failure("passes = [\"weld\", \"mend\"]");
-        assert!(pass.contains("line 1") && pass.contains("unknown variant `mend`"), "{pass}");
+        assert!(pass.contains("line 1") && pass.contains("there is no pass `mend`"), "{pass}");
+        let key = failure("empty = \"allow\"\n[mend]\n");
+        assert!(key.contains("line 2") && key.contains("there is no pass `mend`"), "{key}");
         assert!(failure("passes = [").contains("line 1"));
+    }
+
+    #[test]
+    fn the_former_name_of_verify_is_still_read() {
+        let plan = Plan::from_toml("passes = ['weld', 'recompute']\n[recompute]").unwrap();
+        assert_eq!(plan.passes, [PassKind::Weld, PassKind::Verify]);
+        assert!(toml::to_string(&plan).unwrap().contains("\"verify\""));
+    }
+
+    #[test]
+    fn a_pass_that_a_plan_leaves_out_comes_back_at_its_place() {
+        let plan = Plan::from_toml("passes = ['weld', 'compact']").unwrap();
+        let plan = plan.with(PassKind::Orient).with(PassKind::Verify).with(PassKind::Weld);
+        let expected = [PassKind::Weld, PassKind::Orient, PassKind::Compact, PassKind::Verify];
+        assert_eq!(plan.passes, expected);
+    }
+
+    #[test]
+    fn an_option_is_set_as_a_file_would() {
+        let mut plan = Plan::default();
+        plan.set(PassKind::Orient, "side", "outward").unwrap();
+        assert_eq!(plan, Plan::from_toml("[orient]\nside = 'outward'").unwrap());
+        let unknown = plan.set(PassKind::Orient, "side", "inward").unwrap_err().to_string();
+        assert!(unknown.starts_with("orient: unknown variant `inward`"), "{unknown}");
+        let unknown = plan.set(PassKind::Verify, "side", "outward").unwrap_err().to_string();
+        assert!(unknown.starts_with("verify: unknown field `side`"), "{unknown}");
     }
 }

@@ -31,7 +31,7 @@ impl Sewing {
     /// *Cost*: that of [`irregular_vertices`], unless the report says that there are none; and that of
     /// [`Copies::find`] where some layer tells faces apart.
     pub(crate) fn of<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, context: &Context<'_>) -> Self {
-        let is_manifold = context.report.is_some_and(|report| report.manifold);
+        let is_manifold = context.known.is_some_and(|report| report.manifold);
         let irregular = if is_manifold { Vec::new() } else { irregular_vertices(kernel) };
         // Where every vertex is regular, copies of a face clash along the edges that they share.
         let may_have_copies = || !irregular.is_empty() || has_clash(kernel);

@@ -27,7 +27,7 @@ use crate::apart::{Apart, Coinciding, NewVertices, Separation, VertexParts, with
 use crate::matching::{Matching, StoredGroups};
 use crate::sewing::{Sewing, has_clash};
 use crate::stored_vertices::StoredVertices;
-use crate::{Context, Outcome, Pass, PassError};
+use crate::{Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word};
 
 mod radial;
 mod seams;
@@ -69,9 +69,30 @@ pub enum Seams {
     Cut,
 }
 
+/// All that is said of the pass.
+pub(crate) const ROW: PassRow = PassRow {
+    name: "split",
+    explanation: "Takes the mesh apart until it is manifold, and no further: sides at edges with three faces or more are paired \
+                  into sheets by their order round the edge, and each umbrella of faces gets a vertex of its own. No face is \
+                  removed.",
+    is_default: true,
+    before: None,
+    options: &[PassOption {
+        name: "split",
+        help: "Edges with three faces or more, and pinched vertices",
+        sets: &["edges"],
+        values: OptionValues::Words(&[
+            Word::new("sheets", "Take them apart into sheets"),
+            Word::new("cut", "Take them apart wherever it is not beyond doubt what belongs together"),
+            Word::new("pinch-only", "Split pinched vertices alone"),
+        ]),
+    }],
+    form: Form::of::<Split>(),
+};
+
 impl Pass for Split {
-    fn name(&self) -> &'static str {
-        "split"
+    fn kind(&self) -> PassKind {
+        PassKind::Split
     }
     fn removes(&self) -> &'static [DefectKind] {
         match self.edges {
@@ -222,7 +243,7 @@ impl Task<'_> {
         let subdivided = apart.subdivided_edges().iter();
         fixed.extend(subdivided.map(|&edge| Defect::coincident_edges(kernel.edge_ends(edge))));
         fixed.extend(opened);
-        let outcome = Outcome::changed(apart.rebuild(self.mesh)?, fixed.into());
+        let outcome = Outcome::changed(apart.rebuild(self.mesh)?, fixed);
         Ok(Outcome { left: self.left(&outcome.mesh), ..outcome })
     }
 

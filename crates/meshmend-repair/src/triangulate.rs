@@ -20,7 +20,10 @@ use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
 use serde::{Deserialize, Serialize};
 
 use crate::free_points::FreePoints;
-use crate::{Clearance, Context, Outcome, Pass, PassError, Unused};
+use crate::{
+    Clearance, Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Unused,
+    Word,
+};
 use meshmend_geometry::coincident::coincident_vertices;
 
 /// Cuts polygons into triangles without making an edge twice.
@@ -42,9 +45,28 @@ pub enum TriangulateFaces {
     All,
 }
 
+/// All that is said of the pass.
+pub(crate) const ROW: PassRow = PassRow {
+    name: "triangulate",
+    explanation: "Cuts faces into triangles by shape, never repeating an edge that is there: those that are no longer \
+                  triangles if all were as stored (auto), or every face.",
+    is_default: true,
+    before: None,
+    options: &[PassOption {
+        name: "triangulate",
+        help: "Which faces are cut into triangles; by default all of them where the output's format holds nothing else",
+        sets: &["faces"],
+        values: OptionValues::Words(&[
+            Word::new("auto", "Those that were triangles before and are no longer, if all were"),
+            Word::new("all", "All"),
+        ]),
+    }],
+    form: Form::of::<Triangulate>(),
+};
+
 impl Pass for Triangulate {
-    fn name(&self) -> &'static str {
-        "triangulate"
+    fn kind(&self) -> PassKind {
+        PassKind::Triangulate
     }
     fn removes(&self) -> &'static [DefectKind] {
         match self.faces {
@@ -92,7 +114,7 @@ fn cut_all(mesh: &PolygonMesh, clearance: Clearance) -> Result<Outcome, PassErro
         return Ok(Outcome { left, ..Outcome::unchanged(mesh) });
     }
     let rebuilt = mesh.rebuild(cutter.into_draft()?)?;
-    Ok(Outcome { left, ..Outcome::changed(rebuilt, fixed.into()) })
+    Ok(Outcome { left, ..Outcome::changed(rebuilt, fixed) })
 }
 
 /// Room beside the vertices of a mesh. The vertices are gathered when a place is first asked for.

@@ -24,7 +24,7 @@ use meshmend_geometry::proximity::{NoClasses, proximity_classes};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Fixed, Outcome, Pass, PassError};
+use crate::{Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow};
 
 /// Joins vertices that are in the same place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -51,9 +51,27 @@ pub enum Distance {
     Relative(f64),
 }
 
+/// All that is said of the pass.
+pub(crate) const ROW: PassRow = PassRow {
+    name: "weld",
+    explanation: "Joins vertices at the same position (exact), or within a tolerance, to the lowest of them. Attributes that \
+                  differ across welded vertices move to the corners; none is averaged. In a pipeline orient and split keep \
+                  apart again what would leave the mesh non-manifold, so that welding is stitching and can't make a mesh worse.",
+    is_default: true,
+    before: None,
+    options: &[PassOption {
+        name: "weld",
+        help: "Which vertices are joined: none, exact, single (equal in single precision), within a length, or within a \
+               percentage of the bounding box's diagonal",
+        sets: &["distance"],
+        values: OptionValues::Distance,
+    }],
+    form: Form::of::<Weld>(),
+};
+
 impl Pass for Weld {
-    fn name(&self) -> &'static str {
-        "weld"
+    fn kind(&self) -> PassKind {
+        PassKind::Weld
     }
     fn removes(&self) -> &'static [DefectKind] {
         &[DefectKind::CoincidentVertex]
@@ -87,13 +105,9 @@ impl Pass for Weld {
         };
         join_to(mesh, lowest)
     }
-}
 
-impl Weld {
-    /// The distance within which vertices of a mesh are joined: 0 if only those in one place are.
-    ///
-    /// *Cost*: linear if the distance is relative, else constant.
-    pub fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
+    /// 0 if only vertices in one place are joined. *Cost*: linear if the distance is relative, else constant.
+    fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
         match self.distance {
             Distance::Exact | Distance::Single => 0.0,
             Distance::Absolute(epsilon) => epsilon,

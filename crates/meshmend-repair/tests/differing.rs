@@ -7,7 +7,7 @@ use meshmend_core::{
     PolygonMesh, Values,
 };
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{PassKind, Pipeline, Plan, Repaired, Repeated, SplitEdges};
+use meshmend_repair::{PassKind, Pipeline, Plan, Repaired, Repeated, Session, SplitEdges};
 use meshmend_testkit::{Soup, worlds};
 use meshmend_topology::topology;
 use proptest::prelude::*;
@@ -295,7 +295,7 @@ proptest! {
         prop_assert_eq!(again.mesh.faces(), repaired.mesh.faces());
         prop_assert!(again.removed_faces.is_empty() && again.provenance.flipped.is_empty());
         for kernel in [KernelKind::FaceVertex, KernelKind::AdjacencyLists] {
-            let other = pipeline.clone().on_kernel(kernel).run(&mesh).unwrap();
+            let other = pipeline.run_in(Session::begin(&mesh).with_kernel(kernel)).unwrap();
             prop_assert_eq!(other.mesh.faces(), repaired.mesh.faces());
         }
         prop_assert!(repaired.removed_faces.iter().all(|removed| removed.differed.is_empty()));

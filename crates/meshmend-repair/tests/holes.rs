@@ -65,7 +65,7 @@ fn assert_stays_open(soup: &Soup, expected_area: f64, euler_characteristic: i64)
         };
         let pipeline = plan.pipeline();
         let once = pipeline.run(&soup.mesh()).unwrap();
-        let report = once.report.as_ref().unwrap();
+        let report = once.topology.as_ref().unwrap();
         assert_eq!(report.euler_characteristic, euler_characteristic, "{faces:?}");
         let found = area(&once.mesh);
         assert!((found - expected_area).abs() < 1e-9 * expected_area, "{faces:?}: {found}");
@@ -199,7 +199,7 @@ fn a_rim_that_is_not_flat_keeps_its_hole() {
     let positions = reference::exact_positions(&soup);
     let word = reference::word_of(&positions, &soup.faces[0]);
     assert_eq!(reference::hole_faults(&positions, &word, &pieces_of(&cleaned(&soup), 0)), [""; 0]);
-    assert_eq!(repair(&soup).report.unwrap().euler_characteristic, 0);
+    assert_eq!(repair(&soup).topology.unwrap().euler_characteristic, 0);
 }
 
 /// A block with a tunnel, both of whose ends are faces with a bridge: a torus.
@@ -232,7 +232,7 @@ fn opposite_and_repeated_faces_with_a_hole() {
     let back: Vec<[f64; 3]> = front.iter().rev().copied().collect();
     let plate = solid(&[&front, &back]);
     let found = repair(&plate);
-    assert_eq!(found.report.as_ref().unwrap().euler_characteristic, 0);
+    assert_eq!(found.topology.as_ref().unwrap().euler_characteristic, 0);
     assert!((area(&found.mesh) - 24.0).abs() < 1e-9);
     let twice = solid(&[&front, &[&front[3..], &front[..3]].concat()]);
     assert_stays_open(&twice, 12.0, 0);

@@ -8,7 +8,7 @@ use meshmend_core::{Carry, Domain, FaceId, Layer, Values, VertexId};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
     Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, PassError, PassKind, Pipeline, Plan,
-    Repaired, Side, TriangulateFaces,
+    Repaired, Session, Side, TriangulateFaces,
 };
 use meshmend_testkit::{Soup, oracle, reference, shapes};
 
@@ -150,7 +150,7 @@ fn a_policy_of_fail_names_what_it_found() {
 fn a_strict_kernel_refuses_with_every_reason() {
     let soup = shapes::two_tetrahedra_on_a_vertex().soup;
     let Err(PassError::Refused(refusal)) =
-        Pipeline::default().on_kernel(KernelKind::HalfEdge).run(&soup.mesh())
+        Pipeline::default().run_in(Session::begin(&soup.mesh()).with_kernel(KernelKind::HalfEdge))
     else {
         panic!("half-edge took a pinched vertex")
     };
@@ -218,6 +218,6 @@ fn counts_alone_do_not_say_that_nothing_changed() {
 fn a_cancelled_pipeline_stops() {
     let cancel = std::sync::atomic::AtomicBool::new(true);
     let soup = Soup::generic(3, [[0, 1, 2]]);
-    let result = Pipeline::default().run_watched(&soup.mesh(), Some(&cancel), |_| {});
+    let result = Pipeline::default().run_in(Session::begin(&soup.mesh()).with_cancel(&cancel));
     assert!(matches!(result, Err(PassError::Cancelled)));
 }

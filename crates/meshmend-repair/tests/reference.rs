@@ -13,7 +13,7 @@ use std::process::{Command, Stdio};
 
 use meshmend_core::{Defect, DefectKind, FaceId, FaceTableBuilder, PolygonMesh, VertexId};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{Emptying, PassKind, Pipeline, Plan, Repaired, SplitEdges};
+use meshmend_repair::{Emptying, PassKind, Pipeline, Plan, Repaired, Session, SplitEdges};
 use meshmend_testkit::{Soup, reference};
 use serde_json::Value;
 
@@ -59,7 +59,7 @@ fn words_of(repaired: &Repaired) -> Value {
     let mut flipped = vec![false; list.len()];
     repaired.provenance.flipped.iter().for_each(|f| flipped[f.0 as usize] = true);
     let twisted: Vec<u32> = repaired
-        .report
+        .topology
         .as_ref()
         .unwrap()
         .defects
@@ -151,7 +151,8 @@ fn agree_with_the_reference(lines: impl Iterator<Item = String>) -> usize {
         for (name, edges) in [("sheets", SplitEdges::Sheets), ("cut", SplitEdges::Cut)] {
             let wanted = expected(&case[name], &mesh);
             for (&kernel, pool) in permissive.iter().flat_map(|k| pools.iter().map(move |pool| (k, pool))) {
-                let found = pool.install(|| pipeline(edges).on_kernel(kernel).run(&mesh));
+                let found =
+                    pool.install(|| pipeline(edges).run_in(Session::begin(&mesh).with_kernel(kernel)));
                 let found = words_of(&found.unwrap_or_else(|e| panic!("seed {}: {e}", case["seed"])));
                 assert_eq!(found, wanted, "{name} on {kernel}, seed {}: {}", case["seed"], case["faces"]);
             }

@@ -4,7 +4,7 @@
 
 use meshmend_core::{DefectKind, PolygonMesh};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{Emptying, NonOrientable, PassKind, Pipeline, Plan, Repaired, SeamFigures};
+use meshmend_repair::{Emptying, NonOrientable, PassKind, Pipeline, Plan, Repaired, SeamFigures, Session};
 use meshmend_testkit::shapes::{self, Closed, Shape, Tiles};
 use meshmend_testkit::{Soup, oracle, worlds};
 use proptest::prelude::*;
@@ -126,7 +126,7 @@ proptest! {
         let again = cut_open(&first.mesh);
         prop_assert!(again.provenance.is_same());
         for &kernel in KernelKind::ALL.iter().filter(|kernel| kernel.capabilities().is_permissive()) {
-            let other = cutting().on_kernel(kernel).run(&given.mesh()).unwrap();
+            let other = cutting().run_in(Session::begin(&given.mesh()).with_kernel(kernel)).unwrap();
             prop_assert_eq!(seam(&other), seam(&first));
             prop_assert_eq!(Soup::of_mesh(&other.mesh), Soup::of_mesh(&first.mesh));
         }

@@ -8,7 +8,7 @@ use meshmend_core::{
 };
 use meshmend_geometry::coincident::Coincidence;
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{Distance, Examined, PassError, Weld};
+use meshmend_repair::{Distance, PassError, Session, Weld};
 use meshmend_topology::{TopologyReport, Witness};
 use serde::Serialize;
 
@@ -86,27 +86,32 @@ pub struct KernelVerdict {
 /// *Cost*: near-linear, but for shortest witnesses, which cost what
 /// [`one_sided_loops`](meshmend_topology::one_sided_loops) does; one sort of the positions to tell what welding would join.
 pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, PassError> {
-    Ok(CheckReport::of_examined(mesh, options, &options.examine(mesh)?))
+    let mut session = Session::begin(mesh).with_kernel(options.kernel).with_witness(options.witness);
+    check_in(&mut session, options.view, options.rules)
 }
 
-/// Checks a mesh that is to be repaired, as [`check`] does. With what it found out comes what spares
-/// [`Pipeline::run_examined`](meshmend_repair::Pipeline::run_examined) from finding it out again.
+/// Checks the mesh of a session that has just begun, as [`check`] does. A pipeline may go on with the session.
+///
+/// ```
+/// # use meshmend::{FaceTable, PolygonMesh, Rules, VertexId, View, Session};
+/// # let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec())?;
+/// # let mesh = PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], faces)?;
+/// let mut session = Session::begin(&mesh);
+/// let before = meshmend::check_in(&mut session, View::default(), Rules::default())?;
+/// let repaired = meshmend::Pipeline::default().run_in(session)?;
+/// assert_eq!(repaired.topology.map(|after| after.components), Some(before.topology.components));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// As [`check`].
-pub fn check_before_repair(
-    mesh: &PolygonMesh,
-    options: &CheckOptions,
-) -> Result<(CheckReport, Examined), PassError> {
-    let examined = options.examine(mesh)?;
-    Ok((CheckReport::of_examined(mesh, options, &examined), examined))
-}
-
-impl CheckOptions {
-    fn examine(&self, mesh: &PolygonMesh) -> Result<Examined, PassError> {
-        let weld = self.view.distance().map(|distance| Weld { distance });
-        Examined::of(mesh, weld, self.kernel, self.witness)
+pub fn check_in(session: &mut Session<'_>, view: View, rules: Rules) -> Result<CheckReport, PassError> {
+    if let Some(distance) = view.distance() {
+        session.apply(Weld { distance })?;
     }
+    let topology = session.topology()?.clone();
+    let mesh = (session.mesh().clone(), session.provenance().vertices.clone());
+    Ok(CheckReport::new(view, StoredCounts::of(session.stored()), mesh, topology, rules))
 }
 
 impl CheckReport {
@@ -116,11 +121,6 @@ impl CheckReport {
     pub fn of_topology(mesh: PolygonMesh, topology: TopologyReport, rules: Rules) -> Self {
         let vertices = Sources::same(mesh.counts().vertices);
         Self::new(View::Indexed, StoredCounts::of(&mesh), (mesh, vertices), topology, rules)
-    }
-
-    fn of_examined(stored: &PolygonMesh, options: &CheckOptions, examined: &Examined) -> Self {
-        let mesh = (examined.mesh().clone(), examined.vertex_sources());
-        Self::new(options.view, StoredCounts::of(stored), mesh, examined.report().clone(), options.rules)
     }
 
     fn new(

@@ -137,7 +137,7 @@ pub use meshmend_repair as passes;
 pub use meshmend_shapes as shapes;
 pub use meshmend_topology as topology;
 
-pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check, check_before_repair};
+pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check, check_in};
 pub use kernel_bench::{KernelCost, KernelQuestion};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, PathOptions, cut, loops};
 pub use mend::repair;
@@ -150,7 +150,7 @@ pub use meshmend_io::{
     read, read_bytes, write,
 };
 pub use meshmend_kernels::{KernelKind, KernelTask};
-pub use meshmend_repair::{AnyPass, Distance, Examined, Pass, PassError, PassKind, Pipeline, Plan, Repaired};
+pub use meshmend_repair::{AnyPass, Distance, Pass, PassError, PassKind, Pipeline, Plan, Repaired, Session};
 pub use meshmend_topology::TopologyReport;
 #[cfg(feature = "flatten")]
 pub use unfold::{UnfoldError, UnfoldOptions, Unfolded, unfold};

@@ -3,6 +3,7 @@
 use clap::Args;
 use clap_complete::Shell;
 
+use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 
@@ -15,9 +16,9 @@ pub(crate) struct Completions {
 }
 
 impl Completions {
-    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+    pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut crate::description(), "meshmend", &mut script);
+        clap_complete::generate(self.shell, &mut program.description(), "meshmend", &mut script);
         console.write(&String::from_utf8_lossy(&script))?;
         Ok(Status::Done)
     }

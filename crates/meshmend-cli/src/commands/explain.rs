@@ -1,7 +1,8 @@
 //! `meshmend explain`: the words of reports, in sentences.
 
 use clap::Args;
-use meshmend::{KernelKind, PassKind, Rules};
+use meshmend::passes::Passes;
+use meshmend::{KernelKind, Rules};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -16,15 +17,20 @@ pub(crate) struct Explain {
 }
 
 impl Explain {
-    pub(crate) fn run(self, rules: Rules, console: &mut Console<'_>) -> Result<Status, Failure> {
+    pub(crate) fn run(
+        self,
+        rules: Rules,
+        passes: Passes,
+        console: &mut Console<'_>,
+    ) -> Result<Status, Failure> {
         let style = console.style();
         let text = match self.name.as_deref() {
-            None => render::glossary(rules, style),
-            Some(name) => entry(rules, name)
+            None => render::glossary(rules, passes, style),
+            Some(name) => entry(rules, passes, name)
                 .map(|(heading, text)| render::explanation(&heading, text, style))
                 .ok_or_else(|| {
                     Failure::usage(format!(
-                        "`{name}` is no defect, pass or kernel; `meshmend explain` lists them"
+                        "there is no kind of defect, pass or kernel `{name}`; `meshmend explain` lists them"
                     ))
                 })?,
         };
@@ -34,9 +40,9 @@ impl Explain {
 }
 
 /// A heading and an explanation.
-fn entry(rules: Rules, name: &str) -> Option<(String, &'static str)> {
+fn entry(rules: Rules, passes: Passes, name: &str) -> Option<(String, &'static str)> {
     let defect = rules.kind(name).map(|kind| (render::defect_heading(kind), kind.explanation()));
-    let pass = || PassKind::from_name(name).map(|pass| (format!("{pass}: a pass"), pass.explanation()));
+    let pass = || passes.kind(name).map(|pass| (format!("{pass}: a pass"), pass.explanation()));
     let kernel =
         || KernelKind::from_name(name).map(|kernel| (format!("{kernel}: a kernel"), kernel.explanation()));
     defect.or_else(pass).or_else(kernel)

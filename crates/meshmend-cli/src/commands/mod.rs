@@ -19,9 +19,10 @@ mod repair;
 use std::path::PathBuf;
 use std::slice;
 
-use clap::Subcommand;
-use meshmend::Rules;
+use clap::{ArgMatches, Subcommand};
+use meshmend::passes::Passes;
 
+use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 
@@ -65,7 +66,15 @@ impl Command {
         }
     }
 
-    pub(crate) fn run(self, rules: Rules, console: &mut Console<'_>) -> Result<Status, Failure> {
+    /// Takes over what the command line says of the options of these passes.
+    pub(crate) fn take_policies(&mut self, matches: &ArgMatches, passes: Passes) {
+        if let (Command::Repair(command), Some((_, matches))) = (self, matches.subcommand()) {
+            command.policies.take(matches, passes);
+        }
+    }
+
+    pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
+        let rules = program.rules;
         match self {
             Command::Check(command) => command.run(rules, console),
             Command::Repair(command) => command.run(rules, console),
@@ -80,8 +89,8 @@ impl Command {
             Command::Flatten(command) => command.run(),
             Command::Make(command) => command.run(console),
             Command::Kernels(command) => command.run(console),
-            Command::Explain(command) => command.run(rules, console),
-            Command::Completions(command) => command.run(console),
+            Command::Explain(command) => command.run(rules, program.passes, console),
+            Command::Completions(command) => command.run(program, console),
         }
     }
 }

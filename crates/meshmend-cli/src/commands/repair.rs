@@ -8,8 +8,8 @@ use meshmend::formats::{Prepared, held_layers, replace_file, rounding_losses};
 use meshmend::passes::{FaceStorage, Precision, Writing};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
-    CheckOptions, CheckReport, Encoding, Examined, Format, KernelKind, PassKind, Pipeline, Plan, PolygonMesh,
-    ReadFile, Repaired, Rules, View, WriteError, WriteOptions, check, check_before_repair,
+    CheckOptions, CheckReport, Encoding, Format, KernelKind, Pipeline, Plan, PolygonMesh, ReadFile, Repaired,
+    Rules, Session, View, WriteError, WriteOptions, check, check_in,
 };
 
 use super::check::json_line;
@@ -57,7 +57,7 @@ pub(crate) struct Repair {
     #[command(flatten)]
     words: OutputWords,
     #[command(flatten)]
-    policies: Policies,
+    pub(super) policies: Policies,
 }
 
 /// A file to write, and how.
@@ -109,13 +109,14 @@ impl Repair {
         let pipeline = self.pipeline(plan, &file, target.as_ref());
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         progress.step("check");
-        let (before, examined) = if self.quiet { None } else { Some(self.before(&file, rules)?) }.unzip();
-        let observe = |pass: PassKind| progress.step(pass.name());
-        let run = match examined {
-            Some(examined) => pipeline.run_examined(examined, None, observe),
-            None => pipeline.run_watched(&file.mesh, None, observe),
-        };
-        let mut repaired = run.map_err(failed)?;
+        let mut session = Session::begin(&file.mesh);
+        let mut before = None;
+        if !self.quiet {
+            session = session.with_figures();
+            before = Some(self.before(&mut session, &file, rules)?);
+        }
+        let session = session.with_kernel(self.kernel).with_progress(|pass| progress.step(pass.name()));
+        let mut repaired = pipeline.run_in(session).map_err(failed)?;
         progress.step("report");
         let mut document = RepairDocument::new(&file.mesh, &repaired, self.limit);
         document.file = Some(name(&self.input));
@@ -159,8 +160,7 @@ impl Repair {
             Some(format) if !format.holds_polygons() => self.policies.for_triangles(plan),
             _ => plan,
         };
-        let pipeline = plan.pipeline().on_kernel(self.kernel);
-        let pipeline = if self.quiet { pipeline } else { pipeline.with_figures() };
+        let pipeline = plan.pipeline();
         let Some(target) = target else { return pipeline.in_precision(Precision::Double) };
         pipeline
             .for_layers(held_layers(&file.mesh, &target.options))
@@ -189,16 +189,20 @@ impl Repair {
             .check()
     }
 
-    fn before(&self, file: &ReadFile, rules: Rules) -> Result<(CheckDocument, Examined), Failure> {
-        let options = CheckOptions { view: View::usual_for(file.format), rules, ..CheckOptions::default() };
-        let (report, examined) = check_before_repair(&file.mesh, &options)
+    fn before(
+        &self,
+        session: &mut Session<'_>,
+        file: &ReadFile,
+        rules: Rules,
+    ) -> Result<CheckDocument, Failure> {
+        let report = check_in(session, View::usual_for(file.format), rules)
             .map_err(|error| Failure::of_pass(&name(&self.input), &error))?;
-        Ok((CheckDocument::new(report, self.limit).of_file(name(&self.input), file), examined))
+        Ok(CheckDocument::new(report, self.limit).of_file(name(&self.input), file))
     }
 
-    /// The state after: what `recompute` found, or a check where the plan leaves that out.
+    /// The state after: what `verify` found, or a check where the plan leaves that out.
     fn after(&self, repaired: &mut Repaired, rules: Rules) -> Result<CheckDocument, Failure> {
-        let report = match repaired.report.take() {
+        let report = match repaired.topology.take() {
             Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, rules),
             None => check(&repaired.mesh, &CheckOptions { rules, ..CheckOptions::default() })
                 .map_err(|error| Failure::of_pass(&name(&self.input), &error))?,

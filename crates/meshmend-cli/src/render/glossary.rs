@@ -1,6 +1,7 @@
 //! Words explained.
 
-use meshmend::{DefectKind, KernelKind, PassKind, Rules, Severity};
+use meshmend::passes::Passes;
+use meshmend::{DefectKind, KernelKind, Rules, Severity};
 
 use super::table;
 use super::{Style, paragraph};
@@ -28,14 +29,14 @@ pub(crate) fn explanation(heading: &str, text: &str, style: Style) -> String {
 }
 
 /// All words that can be explained.
-pub(crate) fn glossary(rules: Rules, style: Style) -> String {
+pub(crate) fn glossary(rules: Rules, passes: Passes, style: Style) -> String {
     let severity = |kind: DefectKind| match kind.severity() {
         Severity::Defect => "defect".to_owned(),
         Severity::Note => "note".to_owned(),
     };
     let kind = |kind: DefectKind| vec![kind.code().to_owned(), severity(kind), kind.title().to_owned()];
     let kinds: Vec<Vec<String>> = rules.kinds().map(kind).collect();
-    let passes = PassKind::ALL.iter().map(|pass| pass.name().to_owned());
+    let passes = passes.kinds().into_iter().map(|pass| pass.name().to_owned());
     let kernels = KernelKind::ALL.iter().map(|kernel| kernel.name().to_owned());
     let page = [
         paragraph(&style.heading("kinds of defect"), table::lines(&kinds, &[])),

@@ -2,7 +2,7 @@
 
 use meshmend::formats::LossKind;
 use meshmend::mesh::{Listed, counted};
-use meshmend::passes::SeamFigures;
+use meshmend::passes::{Looked, SeamFigures};
 use meshmend::report::{FigureChanges, NamedFace, PassDocument, RepairDocument};
 use meshmend::{DefectKind, Loss, PassKind, Severity};
 
@@ -90,7 +90,7 @@ fn side_by_side(document: &RepairDocument) -> Vec<String> {
 fn pass(document: &PassDocument) -> Vec<String> {
     let mended = kinds_with_counts(counts(&document.mended));
     let text = match (document.pass, document.changed, mended.is_empty()) {
-        (PassKind::Recompute, ..) => "looked at the result afresh".to_owned(),
+        (PassKind::Verify, ..) => looked(document.looked).to_owned(),
         (_, false, _) => "nothing to do".to_owned(),
         (_, true, true) => "changed the mesh".to_owned(),
         (PassKind::Weld, true, false) => format!("vertices joined to others: {}", joined(document)),
@@ -108,6 +108,14 @@ fn pass(document: &PassDocument) -> Vec<String> {
     }
     lines.extend(named_one_by_one(document).map(|line| format!("{:<14}{line}", "")));
     lines
+}
+
+/// What `verify` did to know what the result is.
+fn looked(looked: Option<Looked>) -> &'static str {
+    match looked {
+        Some(Looked::Afresh) | None => "looked at the result afresh",
+        Some(Looked::Before) => "no pass changed the mesh since it was looked at before",
+    }
 }
 
 /// The items of what a pass left that the result no longer shows, with what could be done about it.

@@ -140,6 +140,17 @@ impl PolygonMesh {
         PolygonMesh { complex, ..self.clone() }
     }
 
+    /// Whether this is a copy of another mesh of which nothing was exchanged. What is exchanged by something equal counts as
+    /// exchanged. *Cost*: O(1).
+    pub fn is_copy_of(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.positions, &other.positions)
+            && Arc::ptr_eq(&self.faces, &other.faces)
+            && Arc::ptr_eq(&self.loose_edges, &other.loose_edges)
+            && Arc::ptr_eq(&self.loose_points, &other.loose_points)
+            && Arc::ptr_eq(&self.layers, &other.layers)
+            && Arc::ptr_eq(&self.metadata, &other.metadata)
+    }
+
     /// Edges that are elements of their own.
     pub fn loose_edges(&self) -> &[[VertexId; 2]] {
         &self.loose_edges

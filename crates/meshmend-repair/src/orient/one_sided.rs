@@ -22,7 +22,7 @@ pub(super) fn judge(
         return Ok(Vec::new());
     }
     let history = context.history.map(|h| h.extended(&outcome.provenance, &outcome.mesh));
-    let context = Context { history: history.as_ref(), report: None, ..*context };
+    let context = Context { history: history.as_ref(), known: None, ..*context };
     let mut defects = one_sided_patches(&outcome.mesh, &context)?;
     if defects.is_empty() {
         defects = lowest.iter().map(|&face| Defect::non_orientable_patch(vec![face], Vec::new())).collect();

@@ -7,12 +7,10 @@
 //! until a round changes nothing. That round is not part of the record. Faces that repeat others and differ from them are
 //! looked at again under any policy: which faces those are depends on the sides that were chosen.
 
-use std::sync::atomic::AtomicBool;
-
 use super::Pipeline;
-use super::run::Run;
 use crate::{
-    AnyPass, Distance, Duplicates, NonFinite, NonOrientable, PassError, PassKind, Seams, Side, SplitEdges,
+    AnyPass, Distance, Duplicates, NonFinite, NonOrientable, PassError, PassKind, Seams, Session, Side,
+    SplitEdges,
 };
 
 /// More rounds than any mesh is known to need.
@@ -37,52 +35,54 @@ enum Finality {
 
 impl Pipeline {
     /// Runs the passes on the result as it will be read, again and again, until that changes nothing.
-    pub(super) fn settled(&self, mut run: Run, cancel: Option<&AtomicBool>) -> Result<Run, PassError> {
-        if !self.may_change_again(&run)? || self.faces.is_read_again(run.stored(), &run.mesh)? {
-            return Ok(run);
+    pub(super) fn settled<'a>(&self, mut session: Session<'a>) -> Result<Session<'a>, PassError> {
+        if !self.may_change_again(&session)? || self.faces.is_read_again(session.stored(), session.mesh())? {
+            return Ok(session);
         }
-        let looks = |pass: &&AnyPass| pass.kind() == PassKind::Recompute;
-        let (looking, changing): (Vec<&AnyPass>, Vec<&AnyPass>) = self.passes().iter().partition(looks);
+        let looks = |pass: &&AnyPass| pass.kind() == PassKind::Verify;
+        let again = self.passes().iter().filter(|pass| pass.as_pass().is_idempotent());
+        let (looking, changing): (Vec<&AnyPass>, Vec<&AnyPass>) = again.partition(looks);
         let mut most_corners = None;
         for _ in 0..MOST_ROUNDS {
-            let (read, reading) = self.faces.read_again(&run.mesh)?;
+            let (read, reading) = self.faces.read_again(session.mesh())?;
             let most_corners = *most_corners.get_or_insert(MOST_GROWTH * read.counts().corners);
-            let mut next = Run::begin(&read, self.takes_figures);
-            self.run_round(changing.iter().copied(), &mut next, cancel, |_| {})?;
-            let has_outgrown = next.mesh.counts().corners > most_corners;
-            if has_outgrown || self.faces.is_read_again(&read, &next.mesh)? {
+            let mut next = session.another(&read);
+            self.run_round(changing.iter().copied(), &mut next)?;
+            let has_outgrown = next.mesh().counts().corners > most_corners;
+            if has_outgrown || self.faces.is_read_again(&read, next.mesh())? {
                 break;
             }
-            self.run_round(looking.iter().copied(), &mut next, cancel, |_| {})?;
-            run.follow((&read, &reading), next);
-            if !self.may_change_again(&run)? {
+            self.run_round(looking.iter().copied(), &mut next)?;
+            session.follow((&read, &reading), next);
+            if !self.may_change_again(&session)? {
                 break;
             }
         }
-        Ok(run)
+        Ok(session)
     }
 
     /// Whether the passes might change what the last round left.
-    fn may_change_again(&self, run: &Run) -> Result<bool, PassError> {
-        let changed = |kind| run.last_round().iter().any(|record| record.pass == kind && record.is_changed);
-        let has_changed = run.last_round().iter().any(|record| record.is_changed);
+    fn may_change_again(&self, session: &Session<'_>) -> Result<bool, PassError> {
+        let changed =
+            |kind| session.last_round().iter().any(|record| record.pass == kind && record.is_changed);
+        let has_changed = session.last_round().iter().any(|record| record.is_changed);
         let is_taken_apart = changed(PassKind::Split) || changed(PassKind::Triangulate);
-        let is_cut_by_writer = self.faces.is_apart() && !run.mesh.faces().is_all_triangles();
+        let is_cut_by_writer = self.faces.is_apart() && !session.mesh().faces().is_all_triangles();
         let may_change = match self.finality() {
             Finality::Always => {
-                let has_copies = run.has_copies() && has_changed;
-                has_copies || is_taken_apart && self.faces.takes_apart(&run.mesh)?
+                let has_copies = session.has_copies() && has_changed;
+                has_copies || is_taken_apart && self.faces.takes_apart(session.mesh())?
             }
             Finality::UnlessTakenApart => is_taken_apart,
-            Finality::IfUnchanged => has_changed || self.faces.takes_apart(&run.mesh)?,
+            Finality::IfUnchanged => has_changed || self.faces.takes_apart(session.mesh())?,
         };
-        Ok(may_change || is_cut_by_writer || self.welds_further(run))
+        Ok(may_change || is_cut_by_writer || self.welds_further(session))
     }
 
     /// Whether a tolerance in parts of a box has grown with the box: vertices that were joined to one that no face used are
     /// where that was.
-    fn welds_further(&self, run: &Run) -> bool {
-        let grows = |pass: &AnyPass| matches!(pass, AnyPass::Weld(weld) if weld.tolerance_on(&run.mesh) > run.tolerance);
+    fn welds_further(&self, session: &Session<'_>) -> bool {
+        let grows = |pass: &AnyPass| pass.as_pass().tolerance_on(session.mesh()) > session.tolerance();
         self.passes().iter().any(grows)
     }
 
@@ -94,7 +94,7 @@ impl Pipeline {
             kinds.remove(again + 1);
         }
         let removes_alone =
-            |kind: &PassKind| matches!(kind, PassKind::Clean | PassKind::Compact | PassKind::Recompute);
+            |kind: &PassKind| matches!(kind, PassKind::Clean | PassKind::Compact | PassKind::Verify);
         if kinds.iter().all(removes_alone) {
             return Finality::Always;
         }
@@ -128,6 +128,8 @@ fn leaves_edges(pass: &AnyPass) -> bool {
     match pass {
         AnyPass::Split(split) => split.edges == SplitEdges::PinchOnly,
         AnyPass::Clean(clean) => clean.non_finite == NonFinite::Keep,
+        // Nothing is known of it.
+        AnyPass::Own(_) => true,
         _ => false,
     }
 }

@@ -93,7 +93,7 @@ impl FaceStorage {
     }
 
     /// A mesh as it is read again when it was stored this way.
-    pub(super) fn read_again(&self, mesh: &PolygonMesh) -> Result<(PolygonMesh, Provenance), PassError> {
+    pub(crate) fn read_again(&self, mesh: &PolygonMesh) -> Result<(PolygonMesh, Provenance), PassError> {
         let made = self.made_of(mesh)?;
         let (made, record) = made.unwrap_or_else(|| (mesh.with_own_cache(), Provenance::same(mesh.counts())));
         if !self.is_apart() {
@@ -105,7 +105,7 @@ impl FaceStorage {
     }
 
     /// Whether a mesh that was read is what will be read when the other one was stored this way.
-    pub(super) fn is_read_again(&self, read: &PolygonMesh, mesh: &PolygonMesh) -> Result<bool, PassError> {
+    pub(crate) fn is_read_again(&self, read: &PolygonMesh, mesh: &PolygonMesh) -> Result<bool, PassError> {
         let made = self.made_of(mesh)?;
         let written = made.as_ref().map_or(mesh, |(made, _)| made);
         if !self.is_apart() {
@@ -120,7 +120,7 @@ impl FaceStorage {
     }
 
     /// Whether what was read and what is written have the same faces with the same points, apart from the format.
-    pub(super) fn are_alike(&self, read: &PolygonMesh, mesh: &PolygonMesh) -> Result<bool, PassError> {
+    pub(crate) fn are_alike(&self, read: &PolygonMesh, mesh: &PolygonMesh) -> Result<bool, PassError> {
         if !self.is_apart() {
             return self.is_read_again(read, mesh);
         }

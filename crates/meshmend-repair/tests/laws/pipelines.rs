@@ -2,7 +2,7 @@
 
 use meshmend_core::{Defect, DefectKind, PolygonMesh};
 use meshmend_repair::{
-    AnyPass, Context, Emptying, History, NonOrientable, Orient, PassError, PassKind, Pipeline, Plan,
+    AnyPass, Context, Emptying, History, NonOrientable, Orient, Pass, PassError, PassKind, Pipeline, Plan,
     Repaired, Side, SplitEdges, TriangulateFaces,
 };
 use meshmend_testkit::laws::Change;
@@ -57,7 +57,7 @@ fn assert_lawful(pipeline: &Pipeline, mesh: &PolygonMesh) -> Option<Repaired> {
             tolerance = tolerance.max(weld.tolerance_on(&world.mesh));
         }
         let clearance = pipeline.clearance(tolerance);
-        let context = Context { history: Some(&history), clearance, ..Context::default() };
+        let context = Context::default().with_history(&history).with_clearance(clearance);
         let outcome = honest(pass.as_pass().apply(&world.mesh, &context))?;
         let after = step_laws(pass, Patches::ByMatching, &world, &outcome)
             .unwrap_or_else(|why| panic!("{pass:?}: {why}"));

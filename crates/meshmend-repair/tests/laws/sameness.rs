@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use meshmend_core::{Defect, PolygonMesh, Provenance};
 use meshmend_kernels::KernelKind;
-use meshmend_repair::{Context, Distance, Examined, Outcome, PassError, Pipeline, Repaired, Weld};
+use meshmend_repair::{Context, Distance, Outcome, PassError, Pipeline, Repaired, Session, Weld};
 use meshmend_testkit::damage::Damage;
 use meshmend_testkit::shapes::{self, Tiles};
 use meshmend_testkit::{Soup, worlds};
@@ -46,10 +46,6 @@ impl Given {
         Given::of(&outcome.mesh, &outcome.provenance, fixed, left)
     }
 
-    fn by_pipeline(pipeline: &Pipeline, mesh: &PolygonMesh) -> Result<Self, PassError> {
-        pipeline.run(mesh).map(|repaired| Given::in_all(&repaired))
-    }
-
     fn in_all(repaired: &Repaired) -> Self {
         let fixed = repaired.passes.iter().flat_map(|pass| pass.fixed.iter()).collect();
         let left = repaired.passes.iter().flat_map(|pass| pass.left.clone()).collect();
@@ -81,7 +77,7 @@ fn assert_same_everywhere(what: &str, repair: impl Fn(KernelKind) -> Result<Give
 fn assert_passes_are_the_same(mesh: &PolygonMesh) {
     for pass in every_choice() {
         assert_same_everywhere(&format!("{pass:?}"), |kernel| {
-            let context = Context { kernel, ..Context::default() };
+            let context = Context::default().with_kernel(kernel);
             pass.as_pass().apply(mesh, &context).map(|outcome| Given::by_pass(&outcome))
         });
     }
@@ -89,27 +85,39 @@ fn assert_passes_are_the_same(mesh: &PolygonMesh) {
 
 fn assert_pipeline_is_the_same(pipeline: &Pipeline, mesh: &PolygonMesh) {
     assert_same_everywhere(&format!("{:?}", pipeline.passes()), |kernel| {
-        Given::by_pipeline(&pipeline.clone().on_kernel(kernel), mesh)
+        let session = Session::begin(mesh).with_kernel(kernel);
+        pipeline.run_in(session).map(|repaired| Given::in_all(&repaired))
     });
 }
 
 /// A mesh that was looked at before, as stored or as some weld makes it, is repaired as any other.
 fn assert_looking_before_is_the_same(pipeline: &Pipeline, mesh: &PolygonMesh) {
-    let pipeline = pipeline.clone().with_figures();
     let told = |repaired: Result<Repaired, PassError>| {
-        let told =
-            |r: Repaired| (Given::in_all(&r), format!("{:?} {:?} {:?}", r.passes, r.removed_faces, r.report));
+        let told = |mut r: Repaired| {
+            r.passes.iter_mut().for_each(|record| record.looked = None);
+            (
+                Given::in_all(&r),
+                format!("{:?} {:?}", r.passes, r.removed_faces),
+                r.topology.map(|topology| format!("{topology:?}")),
+            )
+        };
         repaired.map(told).map_err(|error| error.to_string())
     };
-    let expected = told(pipeline.run(mesh));
     let distances = [Distance::Exact, Distance::Absolute(0.5), Distance::Relative(0.01)];
     let welds = distances.map(|distance| Some(Weld { distance }));
     for weld in welds.into_iter().chain([None]) {
         for kernel in [KernelKind::default(), KernelKind::HalfEdge] {
             for witness in [Witness::BreadthFirst, Witness::Shortest] {
-                match Examined::of(mesh, weld.clone(), kernel, witness) {
-                    Ok(examined) => {
-                        let found = told(pipeline.run_examined(examined, None, |_| {}));
+                let begun = || Session::begin(mesh).with_kernel(kernel).with_witness(witness).with_figures();
+                let mut looked = begun();
+                let welded = weld.clone().map_or(Ok(()), |weld| looked.apply(weld).map(|_| ()));
+                match welded.and_then(|()| looked.topology().map(|_| ())) {
+                    Ok(()) => {
+                        let (found, mut expected) =
+                            (told(pipeline.run_in(looked)), told(pipeline.run_in(begun())));
+                        if let (Ok(found), Ok(expected)) = (&found, &mut expected) {
+                            expected.2 = expected.2.take().or(found.2.clone());
+                        }
                         assert_eq!(found, expected, "{weld:?} {kernel} {witness:?}");
                     }
                     Err(error) => assert!(matches!(error, PassError::Refused(_)), "{error}"),

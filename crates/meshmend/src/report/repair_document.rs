@@ -8,7 +8,8 @@ use meshmend_core::{
 };
 use meshmend_io::{Loss, Note};
 use meshmend_repair::{
-    EmptiedName, Figures, PassKind, PassRecord, RemovedFace, Repaired, Rounding, SeamFigures, emptied_names,
+    EmptiedName, Figures, Looked, PassKind, PassRecord, RemovedFace, Repaired, Rounding, SeamFigures,
+    emptied_names,
 };
 use serde::Serialize;
 
@@ -98,6 +99,9 @@ pub struct PassDocument {
     pub delta: Option<FigureChanges>,
     /// What cutting non-orientable patches open took, where it did.
     pub seam: Option<SeamFigures>,
+    /// Whether `verify` looked at the mesh afresh, or was told what was known before and is still true.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub looked: Option<Looked>,
 }
 
 /// How much a pass added to the three figures by which its effect is told.
@@ -237,6 +241,7 @@ impl PassDocument {
             left: by_kind(record.left.iter().cloned(), limit),
             delta: record.figures.map(|[before, after]| FigureChanges::between(before, after)),
             seam: record.seam,
+            looked: record.looked,
         }
     }
 }
@@ -319,6 +324,7 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::*;
+    use crate::Session;
 
     #[test]
     fn a_repair_is_told_pass_by_pass() {
@@ -326,7 +332,7 @@ mod tests {
             [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0; 3]];
         let faces = [0, 1, 2, 3, 4, 5, 0, 1, 1, 0, 0, 0].map(VertexId).to_vec();
         let mesh = PolygonMesh::new(positions.to_vec(), FaceTable::triangles(6, faces).unwrap()).unwrap();
-        let repaired = Pipeline::default().with_figures().run(&mesh).unwrap();
+        let repaired = Pipeline::default().run_in(Session::begin(&mesh).with_figures()).unwrap();
         let mut document = RepairDocument::new(&mesh, &repaired, 1);
         document.provenance = Some(ProvenanceDocument::new(&repaired.provenance));
         let document: Value = serde_json::to_value(document).unwrap();

@@ -1,0 +1,503 @@
+//! A mesh under repair: passes are applied to it one after another, and all that was done is kept.
+
+use std::fmt;
+use std::sync::atomic::AtomicBool;
+
+use meshmend_core::{
+    Defect, DefectKind, Differences, FaceId, Id, PolygonMesh, Provenance, VertexId, turned_normals,
+};
+use meshmend_geometry::rounding::Rounding;
+use meshmend_kernels::KernelKind;
+use meshmend_topology::{TopologyReport, Witness};
+use serde::Serialize;
+
+use crate::figures::Figures;
+use crate::pass::topology_on;
+use crate::{
+    AnyPass, Clearance, Context, FaceStorage, Fixed, History, Outcome, PassError, PassKind, PassRecord,
+    RemovedFace, Repaired, TellingLayers,
+};
+
+/// A mesh under repair.
+///
+/// ```
+/// # use meshmend_core::{FaceTable, PolygonMesh, VertexId};
+/// # use meshmend_repair::{Clean, Pipeline, Session, Weld};
+/// # let positions = [[0, 0], [1, 0], [0, 1], [1, 0], [0, 1], [1, 1]].map(|[x, y]| [x.into(), y.into(), 0.0]);
+/// # let faces = FaceTable::triangles(6, (0..6).map(VertexId).collect())?;
+/// # let mesh = PolygonMesh::new(positions.to_vec(), faces)?;
+/// let mut session = Session::begin(&mesh);
+/// assert_eq!(session.topology()?.components, 2);
+/// let record = session.apply(Weld::default())?;
+/// assert!(record.is_changed);
+/// assert_eq!(session.topology()?.components, 1);
+///
+/// // A pipeline goes on with it: what is known of the mesh is not found out again.
+/// let repaired = Pipeline::default().run_in(session)?;
+/// assert_eq!(repaired.mesh.positions().len(), 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Session<'a> {
+    mesh: PolygonMesh,
+    history: History,
+    /// What a pass made of the mesh that moved vertices, and all that was done since: later passes take that for the mesh as
+    /// stored, so that no vertex is put back.
+    since_moved: Option<History>,
+    /// The topology of the mesh, once it was asked for and until the mesh is changed.
+    topology: Option<Box<TopologyReport>>,
+    kernel: KernelKind,
+    witness: Witness,
+    progress: Option<Box<dyn FnMut(PassKind) + 'a>>,
+    cancel: Option<&'a AtomicBool>,
+    takes_figures: bool,
+    pub(crate) aim: Aim,
+    /// The passes that were applied, in order.
+    applied: Vec<AnyPass>,
+    records: Vec<PassRecord>,
+    /// Where the records of the last round begin.
+    round: usize,
+    removed_faces: Vec<RemovedFace>,
+    rounding: Option<Rounding>,
+    /// The largest tolerance within which vertices were joined.
+    tolerance: f64,
+    /// The figures of the mesh before each pass that changed it, and in the end of the last mesh, if asked for.
+    figures: Vec<Figures>,
+}
+
+/// What the result of a session is made for.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Aim {
+    /// What created vertices keep clear of; the tolerance is that of the session.
+    pub(crate) clearance: Clearance,
+    /// For each layer of the mesh whether it tells apart faces that repeat others; all do if this is absent.
+    pub(crate) telling: Option<Vec<bool>>,
+    pub(crate) storage: FaceStorage,
+}
+
+/// How `verify` came to know the topology of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Looked {
+    /// It looked at the mesh.
+    Afresh,
+    /// The session had looked at the mesh, and no pass changed it since.
+    Before,
+}
+
+impl fmt::Debug for Session<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Session")
+            .field("mesh", &self.mesh.counts())
+            .field("applied", &self.applied)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a> Session<'a> {
+    /// A session with a mesh to which nothing was done yet.
+    pub fn begin(stored: &PolygonMesh) -> Self {
+        Session {
+            // The tables of the first mesh go when a pass has made another.
+            mesh: stored.with_own_cache(),
+            history: History::begin(stored),
+            since_moved: None,
+            topology: None,
+            kernel: KernelKind::default(),
+            witness: Witness::default(),
+            progress: None,
+            cancel: None,
+            takes_figures: false,
+            aim: Aim::default(),
+            applied: Vec::new(),
+            records: Vec::new(),
+            round: 0,
+            removed_faces: Vec::new(),
+            rounding: None,
+            tolerance: 0.0,
+            figures: Vec::new(),
+        }
+    }
+
+    /// The session computing on another kernel. The result is the same from every kernel that can hold the mesh.
+    #[must_use]
+    pub fn with_kernel(self, kernel: KernelKind) -> Self {
+        // A kernel that can't hold the mesh must say so.
+        let topology = self.topology.filter(|_| self.kernel == kernel);
+        Session { kernel, topology, ..self }
+    }
+
+    /// The session naming another strip of faces where a patch is not orientable.
+    #[must_use]
+    pub fn with_witness(self, witness: Witness) -> Self {
+        let topology = self.topology.filter(|_| self.witness == witness);
+        Session { witness, topology, ..self }
+    }
+
+    /// The session telling `observe` which pass begins.
+    #[must_use]
+    pub fn with_progress(self, observe: impl FnMut(PassKind) + 'a) -> Self {
+        Session { progress: Some(Box::new(observe)), ..self }
+    }
+
+    /// The session failing with [`PassError::Cancelled`] once another thread has set this.
+    #[must_use]
+    pub fn with_cancel(self, cancel: &'a AtomicBool) -> Self {
+        Session { cancel: Some(cancel), ..self }
+    }
+
+    /// The session taking χ, components and boundary loops before and after each pass that changes something.
+    #[must_use]
+    pub fn with_figures(self) -> Self {
+        Session { takes_figures: true, ..self }
+    }
+
+    /// Another session with the same choices, with another mesh and nothing done yet. Its passes are not told.
+    pub(crate) fn another(&self, stored: &PolygonMesh) -> Session<'a> {
+        Session {
+            kernel: self.kernel,
+            witness: self.witness,
+            cancel: self.cancel,
+            takes_figures: self.takes_figures,
+            aim: self.aim.clone(),
+            ..Session::begin(stored)
+        }
+    }
+
+    /// The session begun anew, with the mesh as stored or as rounding made it.
+    pub(crate) fn anew(mut self, rounded: Option<(PolygonMesh, Rounding)>) -> Self {
+        let progress = self.progress.take();
+        let (stored, rounding) = match rounded {
+            Some((mesh, rounding)) => (mesh, Some(rounding)),
+            None => (self.stored().clone(), None),
+        };
+        Session { progress, rounding, ..self.another(&stored) }
+    }
+
+    /// Applies a pass.
+    ///
+    /// # Errors
+    /// When a policy says so, the kernel can't hold the mesh, or the work was cancelled. The mesh is then as it was.
+    pub fn apply(&mut self, pass: impl Into<AnyPass>) -> Result<&PassRecord, PassError> {
+        let pass = pass.into();
+        self.tell(pass.kind());
+        let repair = pass.as_pass();
+        self.reach_to(repair.tolerance_on(&self.mesh));
+        self.context().check_cancelled()?;
+        let looked = if repair.looks_at_topology() { Some(self.look()?) } else { None };
+        let outcome = repair.apply(&self.mesh, &self.context())?;
+        self.record(pass, outcome, looked)
+    }
+
+    /// Takes a pass for one that found nothing to do.
+    pub(crate) fn skip(&mut self, pass: &AnyPass) -> Result<(), PassError> {
+        self.tell(pass.kind());
+        self.record(pass.clone(), Outcome::unchanged(&self.mesh), None).map(|_| ())
+    }
+
+    /// Tells who asked for it which pass begins.
+    pub(crate) fn tell(&mut self, pass: PassKind) {
+        self.progress.iter_mut().for_each(|observe| observe(pass));
+    }
+
+    /// Makes sure that vertices within a tolerance count as joined.
+    pub(crate) fn reach_to(&mut self, tolerance: f64) {
+        self.tolerance = self.tolerance.max(tolerance);
+    }
+
+    /// The topology of the mesh as it is now. It is found out once, and again when a pass has changed the mesh.
+    ///
+    /// # Errors
+    /// When the kernel can't hold the mesh.
+    ///
+    /// *Cost*: that of [`topology_with`](meshmend_topology::topology_with), or none.
+    pub fn topology(&mut self) -> Result<&TopologyReport, PassError> {
+        let known = match self.topology.take() {
+            Some(known) => known,
+            None => Box::new(topology_on(self.kernel, &self.mesh, self.witness)?),
+        };
+        Ok(self.topology.insert(known))
+    }
+
+    fn look(&mut self) -> Result<Looked, PassError> {
+        let looked = if self.topology.is_some() { Looked::Before } else { Looked::Afresh };
+        self.topology()?;
+        Ok(looked)
+    }
+
+    fn context(&self) -> Context<'_> {
+        Context {
+            kernel: self.kernel,
+            history: Some(self.since_moved.as_ref().unwrap_or(&self.history)),
+            cancel: self.cancel,
+            known: self.topology.as_deref(),
+            clearance: Clearance { tolerance: self.tolerance, ..self.aim.clearance },
+            telling: self.aim.telling.as_deref().map_or(TellingLayers::All, TellingLayers::Only),
+            storage: Some(&self.aim.storage),
+        }
+    }
+
+    /// Takes over what a pass did.
+    fn record(
+        &mut self,
+        pass: AnyPass,
+        outcome: Outcome,
+        looked: Option<Looked>,
+    ) -> Result<&PassRecord, PassError> {
+        let kind = pass.kind();
+        let is_changed = !outcome.provenance.is_same()
+            || !outcome.fixed.is_empty()
+            || !outcome.mesh.is_copy_of(&self.mesh);
+        if is_changed {
+            self.name_removed_faces(kind, &outcome)?;
+            self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
+            self.since_moved = if matches!(kind, PassKind::Own(_)) && moves(&self.mesh, &outcome) {
+                Some(History::begin(&outcome.mesh))
+            } else {
+                let since = self.since_moved.take();
+                since.map(|since| since.extended(&outcome.provenance, &outcome.mesh))
+            };
+            self.figures.extend(self.figures());
+            self.topology = None;
+        }
+        self.mesh = outcome.mesh;
+        self.applied.push(pass);
+        self.records.push(PassRecord {
+            pass: kind,
+            is_changed,
+            fixed: outcome.fixed,
+            left: outcome.left,
+            figures: None,
+            seam: outcome.seam,
+            looked,
+        });
+        Ok(&self.records[self.records.len() - 1])
+    }
+
+    /// The mesh as it is now.
+    pub fn mesh(&self) -> &PolygonMesh {
+        &self.mesh
+    }
+
+    /// The mesh as stored.
+    pub fn stored(&self) -> &PolygonMesh {
+        self.history.stored()
+    }
+
+    /// Where each element of the present mesh was as stored.
+    pub fn provenance(&self) -> &Provenance {
+        self.history.provenance()
+    }
+
+    /// What each pass did so far, in order.
+    pub fn records(&self) -> &[PassRecord] {
+        &self.records
+    }
+
+    /// The passes that were applied, in order.
+    pub(crate) fn applied(&self) -> &[AnyPass] {
+        &self.applied
+    }
+
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// What the passes did in the last round.
+    pub(crate) fn last_round(&self) -> &[PassRecord] {
+        &self.records[self.round..]
+    }
+
+    /// Whether faces that repeat others are there because they differ, as far as the last round saw.
+    pub(crate) fn has_copies(&self) -> bool {
+        let is_copy = |defect: &Defect| defect.kind() == DefectKind::DifferingFace;
+        self.last_round().iter().any(|record| record.left.iter().any(is_copy))
+    }
+
+    /// Takes over what one more round did to the mesh as it was read again.
+    pub(crate) fn follow(&mut self, (read, reading): (&PolygonMesh, &Provenance), next: Session<'_>) {
+        let history = self.history.extended(reading, read);
+        let as_stored = |removed: RemovedFace| {
+            Some(RemovedFace { face: history.provenance().faces.of(removed.face)?, ..removed })
+        };
+        self.removed_faces.extend(next.removed_faces.into_iter().filter_map(as_stored));
+        self.history = history.extended(next.history.provenance(), &next.mesh);
+        self.round = self.records.len();
+        self.tolerance = self.tolerance.max(next.tolerance);
+        self.records.extend(next.records);
+        self.figures.extend(next.figures);
+        (self.mesh, self.topology) = (next.mesh, next.topology);
+    }
+
+    /// The figures of the present mesh, if they are asked for.
+    fn figures(&self) -> Option<Figures> {
+        let of_mesh = || self.topology.as_deref().map_or_else(|| Figures::of(&self.mesh), Figures::of_report);
+        self.takes_figures.then(of_mesh)
+    }
+
+    /// Finds, for each face of which this pass left nothing, the defect that names it.
+    fn name_removed_faces(&mut self, pass: PassKind, outcome: &Outcome) -> Result<(), PassError> {
+        let mut reasons: Vec<(FaceId, DefectKind)> = outcome
+            .fixed
+            .listed()
+            .iter()
+            .filter_map(|defect| Some((removed_face(pass, defect)?, defect.kind())))
+            .collect();
+        reasons.sort_unstable();
+        let mut differed = outcome.differed.clone();
+        differed.sort_unstable();
+        for face in outcome.provenance.removed_faces() {
+            let at = reasons.partition_point(|(named, _)| *named < face);
+            let named = reasons.get(at).filter(|(named, _)| *named == face);
+            let Some(stored) = self.history.provenance().faces.of(face) else { continue };
+            let reason = match (named, pass) {
+                (Some((_, kind)), _) => *kind,
+                (None, PassKind::Own(_)) => return Err(PassError::Unnamed { pass: pass.name(), face }),
+                (None, _) => DefectKind::DegenerateFace,
+            };
+            let place = differed.binary_search_by_key(&face, |(named, _)| *named);
+            let differed = place.map_or(Differences::default(), |place| differed[place].1);
+            self.removed_faces.push(RemovedFace { face: stored, pass, reason, differed });
+        }
+        Ok(())
+    }
+
+    /// All that was done.
+    ///
+    /// # Errors
+    /// When the topology of the result is known, as it is after `verify`, and shows what a pass had promised to remove: a
+    /// mistake of this program.
+    pub fn finish(mut self) -> Result<Repaired, PassError> {
+        self.check_promises()?;
+        let storage = &self.aim.storage.clone();
+        let has_changed = self.records.iter().any(|record| record.is_changed);
+        let is_same = has_changed && storage.are_alike(self.stored(), &self.mesh)?;
+        let stitched = if has_changed { self.stitched(storage, is_same) } else { 0 };
+        self.figures.extend(self.figures());
+        if self.takes_figures {
+            let mut changes = 0;
+            for record in &mut self.records {
+                let before = changes;
+                changes += usize::from(record.is_changed);
+                record.figures = Some([before, changes].map(|at| self.figures[at]));
+            }
+        }
+        self.keep_last_judgement();
+        let provenance = self.history.provenance().clone();
+        let survives = provenance.faces.survivors(provenance.before.faces);
+        let mut removed_faces = self.removed_faces;
+        // A face that was split has several parts, and is gone only when all of them are.
+        removed_faces.retain(|removed| !survives[removed.face.0 as usize]);
+        removed_faces.sort_by_key(|removed| removed.face);
+        removed_faces.dedup_by_key(|removed| removed.face);
+        let turned_normals = turned_normals(self.history.stored(), &self.mesh, &provenance);
+        let Session { mut mesh, records: mut passes, rounding, topology, .. } = self;
+        let mut provenance = provenance;
+        if is_same {
+            forget_changes(&mut passes);
+            if !storage.takes_apart(&mesh)? {
+                mesh = self.history.stored().clone();
+                provenance = Provenance::same(mesh.counts());
+            }
+        }
+        Ok(Repaired { mesh, provenance, passes, removed_faces, turned_normals, rounding, topology, stitched })
+    }
+
+    /// How many vertices the first pass joined to others that are apart from them in the result.
+    fn stitched(&self, storage: &FaceStorage, is_same: bool) -> usize {
+        let Some(weld) = self.records.first() else { return 0 };
+        if is_same {
+            return weld.fixed.joined_to().iter().enumerate().filter(|(v, low)| low.index() != *v).count();
+        }
+        let joined_to = weld.fixed.joined_to();
+        let is_split = self.records.iter().any(|record| record.pass == PassKind::Split && record.is_changed);
+        if joined_to.is_empty() || (!storage.is_apart() && !is_split) {
+            return 0;
+        }
+        let provenance = self.history.provenance();
+        if storage.is_apart()
+            && provenance.corners.is_all_of(provenance.before.corners)
+            && provenance.before.vertices == provenance.before.corners
+        {
+            // Every vertex as stored has a corner of its own, and all are there.
+            return weld.fixed.len();
+        }
+        let stays: Vec<bool> = if storage.is_apart() {
+            let mut stays = vec![false; joined_to.len()];
+            let corners = provenance.corners.iter().filter_map(|(_, stored)| stored);
+            corners.for_each(|c| stays[self.stored().faces().corner_vertex(c).index()] = true);
+            stays
+        } else {
+            provenance.vertices.survivors(joined_to.len())
+        };
+        let is_joined = |(v, low): (usize, &VertexId)| low.index() != v && stays[v];
+        joined_to.iter().enumerate().filter(|&at| is_joined(at)).count()
+    }
+
+    /// Fails when the topology of the mesh shows what a pass had promised to remove.
+    fn check_promises(&self) -> Result<(), PassError> {
+        let Some(report) = self.topology.as_ref().filter(|_| self.stored().counts().faces > 0) else {
+            return Ok(());
+        };
+        let mut promised: Vec<DefectKind> = Vec::new();
+        for pass in &self.applied {
+            let pass = pass.as_pass();
+            let is_bound = pass.requires().iter().all(|kind| promised.contains(kind));
+            promised.retain(|kind| !pass.may_introduce().contains(kind));
+            if is_bound {
+                promised.extend(pass.removes());
+            }
+        }
+        for kind in promised {
+            // Copies of a face that differ run the same way along an edge until `split` takes them apart.
+            let is_named = |defect: &Defect| {
+                matches!(defect.kind(), DefectKind::NonOrientablePatch | DefectKind::DifferingFace)
+            };
+            let is_twisted = report.non_orientable_patches > 0
+                || self.records.iter().any(|record| record.left.iter().any(is_named));
+            if kind == DefectKind::InconsistentEdge && is_twisted {
+                continue;
+            }
+            if let Some(defect) = report.defects.of_kind(kind).next() {
+                return Err(PassError::Promise { pass: "the pipeline", defect });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The records of passes that together changed nothing.
+fn forget_changes(passes: &mut [PassRecord]) {
+    let last = passes.last().and_then(|record| record.figures);
+    for record in passes {
+        (record.is_changed, record.fixed, record.seam) = (false, Fixed::default(), None);
+        record.figures = last.map(|[_, after]| [after; 2]);
+    }
+}
+
+impl Session<'_> {
+    /// Where patches are turned outward twice, what could not be judged the first time may have been the second time.
+    fn keep_last_judgement(&mut self) {
+        let orients = self.records.iter_mut().filter(|record| record.pass == PassKind::Orient);
+        let not_last = orients.rev().skip(1);
+        not_last.for_each(|record| record.left.retain(|defect| defect.kind() != DefectKind::UnjudgedPatch));
+    }
+}
+
+/// Whether a vertex is elsewhere than it was in the mesh before.
+fn moves(before: &PolygonMesh, outcome: &Outcome) -> bool {
+    let place = |mesh: &PolygonMesh, vertex: VertexId| mesh.position(vertex).map(f64::to_bits);
+    let mut sources = outcome.provenance.vertices.iter();
+    sources.any(|(now, was)| was.is_some_and(|was| place(&outcome.mesh, now) != place(before, was)))
+}
+
+/// The face that a defect names, if a pass removes faces for this reason.
+fn removed_face(pass: PassKind, defect: &Defect) -> Option<FaceId> {
+    let is_reason = matches!(
+        defect.kind,
+        DefectKind::DegenerateFace
+            | DefectKind::NonFiniteFace
+            | DefectKind::DuplicateFace
+            | DefectKind::OppositeFace
+    );
+    if is_reason || matches!(pass, PassKind::Own(_)) { defect.at.face() } else { None }
+}
