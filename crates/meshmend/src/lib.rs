@@ -21,6 +21,75 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! What that makes of the file:
+//!
+#![doc = include_str!("../pictures/broken-before-after.svg")]
+//!
+//! # By task
+//!
+//! **I have arrays.** Points and triangles go in and come out as they are in any other program.
+//!
+//! ```
+//! use meshmend::PolygonMesh;
+//!
+//! let points: [[f32; 3]; 5] = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 1., 0.], [1., 0., 0.]];
+//! let mesh = PolygonMesh::from_triangles(&points, &[[0, 1, 2], [4, 3, 2]])?;
+//! let repaired = meshmend::repair(&mesh)?.mesh;
+//! assert_eq!(repaired.triangles(), Some(vec![[0, 1, 2], [1, 3, 2]]));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`PolygonMesh::from_polygons`] takes faces of any size, and [`PolygonMesh::to_arrays`] gives them.
+//!
+//! **I want to know where it is broken.** A defect says at what element it is, and so in which faces.
+//!
+//! ```
+//! use meshmend::{CheckOptions, PolygonMesh, Severity, check};
+//!
+//! // Three triangles on one edge.
+//! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 1.0, 0.0], [0.5, -1.0, 0.0], [0.5, 0.0, 1.0]];
+//! let mesh = PolygonMesh::from_triangles(&points, &[[0, 1, 2], [1, 0, 3], [0, 1, 4]])?;
+//! let report = check(&mesh, &CheckOptions::default())?;
+//! let wrong = report.listed_kinds().filter(|kind| kind.severity() == Severity::Defect);
+//! let said: Vec<String> =
+//!     wrong.flat_map(|kind| report.defects_of_kind(kind)).map(|defect| defect.to_string()).collect();
+//! assert_eq!(said, ["e0 v0-v1 has 3 sides"]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A picture shows it as well: the command is `meshmend render`. This is the strip of faces by which a Möbius band is named.
+//!
+#![doc = include_str!("../pictures/moebius-witness.svg")]
+//!
+//! **I want my UVs back.** Welding moves attributes that differ from the vertices to the corners, and never averages them. They
+//! are found by their name, wherever they are.
+//!
+//! ```
+//! use meshmend::mesh::{Carry, Domain, Layer, Values};
+//! use meshmend::PolygonMesh;
+//!
+//! // Two triangles that share an edge by position only, as exporters write a seam of a texture.
+//! let points = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 1., 0.], [1., 0., 0.], [0., 1., 0.]];
+//! let numbers = vec![0.0, 0.0, 0.5, 0.0, 0.0, 0.5, 1.0, 1.0, 0.6, 0.1, 0.1, 0.6];
+//! let uv = Layer::direct("texcoord", Domain::Vertex, 2, Carry::Interpolate, Values::F32(numbers));
+//! let mesh = PolygonMesh::from_triangles(&points, &[[0, 1, 2], [4, 3, 5]])?.with_layers(vec![uv])?;
+//!
+//! let repaired = meshmend::repair(&mesh)?.mesh;
+//! assert_eq!(repaired.counts().vertices, 4);
+//! let uv = repaired.layer_named("texcoord").ok_or("the layer is there")?;
+//! let of_corner: Vec<Option<f64>> =
+//!     uv.corner_values(repaired.faces()).map(|value| uv.values().number(2 * value?)).collect();
+//! let expected = [0.0_f32, 0.5, 0.0, 0.6, 1.0, 0.1].map(|u| Some(f64::from(u)));
+//! assert_eq!(of_corner, expected);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **I write a kernel of my own.** Whatever implements [`Connectivity`](mesh::Connectivity) takes every question of
+//! [`topology`]; CONTRIBUTING shows a whole one.
+//!
+//! **I write a pass, or a kind of defect, of my own.** Both are one file and one row, see CONTRIBUTING; [`Pipeline::then`] takes
+//! the pass, and [`CheckOptions::rules`] the kind of defect.
+//!
 //! # A tour
 //!
 //! **A mesh** is an immutable value: positions, faces of any size, loose elements and attributes.
@@ -53,11 +122,11 @@
 //!
 //! ```
 //! use meshmend::passes::{Orient, Side};
-//! use meshmend::{PassKind, Pipeline, Plan};
+//! use meshmend::{Pipeline, Plan};
 //!
 //! let outward = Orient { side: Side::Outward, ..Orient::default() };
-//! let pipeline = Pipeline::new([PassKind::Weld.with_defaults(), outward.into()]);
-//! let plan = Plan::from_toml("passes = ['weld', 'orient']\n[orient]\nside = 'outward'")?;
+//! let pipeline = Pipeline::default().with(outward);
+//! let plan = Plan::from_toml("[orient]\nside = 'outward'")?;
 //! assert_eq!(plan.pipeline(), pipeline);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
