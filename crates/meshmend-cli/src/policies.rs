@@ -92,7 +92,7 @@ impl Policies {
         let default = || Ok(Plan::of(self.passes));
         let mut plan = self.plan.as_deref().map_or_else(default, |path| read_plan(path, self.passes))?;
         for said in &self.said {
-            plan = if said.is_off() { self.left_out(plan, said)? } else { said.into_plan(plan)? };
+            plan = if said.is_off() { self.left_out(plan, said)? } else { said.added_to(plan)? };
         }
         if self.allow_empty {
             plan.empty = Emptying::Allow;
@@ -134,7 +134,7 @@ impl Said {
     }
 
     /// The plan with the pass, and the option set.
-    fn into_plan(&self, plan: Plan) -> Result<Plan, Failure> {
+    fn added_to(&self, plan: Plan) -> Result<Plan, Failure> {
         let mut plan = plan.with(self.pass);
         for key in self.option.sets {
             let set = match (self.option.values, words::welding(&self.word)) {
