@@ -45,7 +45,7 @@ pub struct Piece {
     pub before: Surface,
     /// The surface that it is.
     pub after: Surface,
-    /// How gluing its rim makes it again what it was; nothing if it is no disc.
+    /// How gluing its rim makes it again what it was; `None` if it is not a disc.
     pub word: Option<GluingWord>,
 }
 
@@ -65,8 +65,8 @@ pub struct Piece {
 /// ```
 ///
 /// # Errors
-/// When a component is no surface, or is to be cut along generators and has a boundary; when the generators can't be
-/// found; or when a component did not become a disc, which is a mistake of this program.
+/// When a component is not a surface, or is to be cut along generators and has a boundary; when the generators can't
+/// be found; or when a component did not become a disc, which is a mistake of this program.
 ///
 /// *Cost*: that of [`generators`](meshmend_topology::generators()), and linear in the mesh.
 pub fn cut_to_discs(
@@ -113,7 +113,7 @@ fn by_generators(kernel: &EdgeUse, options: &GeneratorOptions<'_>) -> Result<Edg
     Ok((found.loop_edges(), surfaces))
 }
 
-/// What has become of each component; fails when one was cut along its cut graph and is no disc.
+/// What has become of each component; fails when one was cut along its cut graph and is not a disc.
 fn pieces(
     mesh: &PolygonMesh,
     provenance: &Provenance,
@@ -156,7 +156,7 @@ mod tests {
         let wrong = pieces(&sphere, &whole, &before, CutAlong::CutGraph).unwrap_err();
         assert_eq!(
             wrong.to_string(),
-            "component 0 was cut and is no disc, which is a mistake of this program"
+            "component 0 was cut but is not a disc, which is a mistake of this program"
         );
     }
 }

@@ -9,9 +9,9 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum CutError {
     /// The mesh has no such edge.
-    #[error("{0} is no edge of the mesh")]
+    #[error("{0} is not an edge of the mesh")]
     NoSuchEdge(EdgeId),
-    /// What was to be cut is no surface.
+    /// What was to be cut is not a surface.
     #[error("only a surface can be cut: {0}")]
     NotManifold(Defect),
     /// Only closed surfaces can be cut along generators.
@@ -21,7 +21,7 @@ pub enum CutError {
     #[error(transparent)]
     Generators(#[from] GeneratorError),
     /// A component did not become a disc: a mistake of this program.
-    #[error("{0} was cut and is no disc, which is a mistake of this program")]
+    #[error("{0} was cut but is not a disc, which is a mistake of this program")]
     NoDisc(ComponentId),
     /// The result would have more elements than a mesh holds.
     #[error(transparent)]

@@ -1,8 +1,8 @@
 //! Cuts a mesh along edges.
 //!
 //! Round a vertex the cut edges divide the corners into parts; the first keeps the vertex, and each other part gets a
-//! vertex of its own in the same place. Faces and corners stay what they are, so every attribute stays where it is, and
-//! the two sides of a cut edge are known by their corners before and after.
+//! vertex of its own in the same place. Faces and corners stay what they are, so every attribute stays where it is,
+//! and the two sides of a cut edge are known by their corners before and after.
 //!
 //! *Source*: A. Guéziec, G. Taubin, F. Lazarus, W. Horn, *Cutting and stitching: converting sets of polygons to
 //! manifold surfaces*, 2001.
@@ -165,7 +165,7 @@ impl Parts {
         parts
     }
 
-    /// The two sides of a cut edge; nothing for a boundary edge.
+    /// The two sides of a cut edge; `None` for a boundary edge.
     fn seam(&self, kernel: &EdgeUse, mesh: &PolygonMesh, edge: EdgeId) -> Option<CutSeam> {
         let mut corners = kernel.edge_corners(edge);
         let sides = [corners.next()?, corners.next()?];
@@ -201,8 +201,8 @@ impl Parts {
         })
     }
 
-    /// Puts the new vertices into a stored face. A corner that the complex leaves out repeats the one before it, or at
-    /// the end of the face the first one, and goes with that; a degenerate face keeps its vertices.
+    /// Puts the new vertices into a stored face. A corner that the complex leaves out repeats the one before it, or
+    /// at the end of the face the first one, and goes with that; a degenerate face keeps its vertices.
     fn rename(&self, mesh: &PolygonMesh, face: FaceId, vertices: &mut [VertexId]) {
         let (complex, first) = (mesh.complex(), mesh.faces().corner_range(face).start);
         let mut kept = complex.faces().face_corners(face).peekable();

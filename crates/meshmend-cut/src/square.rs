@@ -8,10 +8,10 @@
 //!     x ── b ── x
 //! ```
 //!
-//! Neither path has a chord, an edge between two of its vertices that do not follow one another: in the square it would
-//! cut off a piece that lies on one side. The second is a shortest one. The first is a shortest one through some vertex,
-//! and is sought again from the vertex opposite, until that makes it no shorter: a chord has its ends at equal distances,
-//! or nearly, from where the path begins, so the vertex opposite would have a shorter one.
+//! Neither path has a chord, an edge between two of its vertices that do not follow one another: in the square it
+//! would cut off a piece that lies on one side. The second is a shortest one. The first is a shortest one through
+//! some vertex, and is sought again from the vertex opposite, until that makes it no shorter: a chord has its ends at
+//! equal distances, or nearly, from where the path begins, so the vertex opposite would have a shorter one.
 
 use std::collections::VecDeque;
 
@@ -40,8 +40,8 @@ pub struct SquareCut {
 /// The second path is sought from so many vertices of the first, spread evenly.
 const MOST_STARTS: usize = 64;
 
-/// Cuts a torus open along two closed paths that meet in one vertex; nothing for a mesh that is no single closed torus,
-/// or is too coarse for two such paths.
+/// Cuts a torus open along two closed paths that meet in one vertex; `None` for a mesh that is not a single closed
+/// torus, or is too coarse for two such paths.
 ///
 /// ```
 /// # use meshmend_core::{FaceTable, PolygonMesh, VertexId};
@@ -58,7 +58,8 @@ const MOST_STARTS: usize = 64;
 /// # Errors
 /// When the paths can't be found, which is a mistake of this program.
 ///
-/// *Cost*: that of a few runs of [`generators`](meshmend_topology::generators()), and of up to 64 searches of the mesh.
+/// *Cost*: that of a few runs of [`generators`](meshmend_topology::generators()), and of up to 64 searches of the
+/// mesh.
 pub fn cut_to_square(mesh: &PolygonMesh) -> Result<Option<SquareCut>, CutError> {
     let Some(first) = way_round(mesh)? else { return Ok(None) };
     let table = mesh.complex().edges();
@@ -74,7 +75,7 @@ pub fn cut_to_square(mesh: &PolygonMesh) -> Result<Option<SquareCut>, CutError> 
     Ok(corners.map(|corners| SquareCut { mesh, provenance, seams, corners }))
 }
 
-/// A closed path round a torus without a chord; nothing for any other mesh.
+/// A closed path round a torus without a chord; `None` for any other mesh.
 fn way_round(mesh: &PolygonMesh) -> Result<Option<Vec<VertexId>>, CutError> {
     let kernel = EdgeUse::assemble(mesh.complex());
     let (mut best, mut roots): (Option<Vec<VertexId>>, Roots) = (None, Roots::Lowest);
@@ -102,8 +103,8 @@ fn path_edges(table: &EdgeTable, path: impl Iterator<Item = VertexId> + Clone) -
     pairs.filter_map(|ends| table.all_ends().binary_search(&ends).ok().map(EdgeId::new)).collect()
 }
 
-/// The shortest way, by edges, from a vertex of the loop to its copy that touches the tube's rims nowhere else; of equal
-/// ones the first.
+/// The shortest way, by edges, from a vertex of the loop to its copy that touches the tube's rims nowhere else; of
+/// equal ones the first.
 fn way_through(tube: &CutOpen, first: &[VertexId]) -> Option<Vec<VertexId>> {
     let kernel = EdgeUse::assemble(tube.mesh.complex());
     let before = tube.provenance.before.vertices;
@@ -240,8 +241,8 @@ mod tests {
         assert_eq!(cut.corners.map(|corner| cut.provenance.vertices.of(corner)), [Some(first[0]); 4]);
     }
 
-    /// Four faces side by side round a tube whose ends are joined with half a turn. The shortest way round is along the
-    /// joint, and all that leaves it at one vertex comes back at the opposite one.
+    /// Four faces side by side round a tube whose ends are joined with half a turn. The shortest way round is along
+    /// the joint, and all that leaves it at one vertex comes back at the opposite one.
     #[test]
     fn a_torus_too_coarse_for_a_second_path_has_no_square() {
         let face = |i: u32| {

@@ -36,8 +36,8 @@ impl Cell {
         })
     }
 
-    /// The line that a node which is on a side lies on: which coordinate, and its value. Sides are counted as a square's
-    /// corners are.
+    /// The line that a node which is on a side lies on: which coordinate, and its value. Sides are counted as a
+    /// square's corners are.
     pub(crate) fn line(self, side: usize) -> (usize, f64) {
         let axis = (side + 1) % 2;
         let [low, high] = [self.at([0.0; 2])[axis], self.at([1.0; 2])[axis]];
@@ -84,8 +84,8 @@ fn on_circle(shares: &[f64], cell: Cell) -> Vec<[f64; 2]> {
     starts(shares).map(point).collect()
 }
 
-/// A node in each corner, from the lower left one on. Opposite sides whose edges are as long, the other way round, have
-/// their points at the same places.
+/// A node in each corner, from the lower left one on. Opposite sides whose edges are as long, the other way round,
+/// have their points at the same places.
 fn on_square(shares: &[f64], corners: [usize; 4], cell: Cell) -> Vec<[f64; 2]> {
     let side_shares = |side: usize| -> Vec<f64> {
         let (from, to) = (corners[side], corners[(side + 1) % 4]);
@@ -122,7 +122,7 @@ fn parts(shares: &[f64]) -> Vec<f64> {
     starts(shares).enumerate().map(part).chain([1.0]).collect()
 }
 
-/// The nodes of a rim that start nearest to 0, 1/4, 1/2 and 3/4 of its length, all different; nothing where it has
+/// The nodes of a rim that start nearest to 0, 1/4, 1/2 and 3/4 of its length, all different; `None` where it has
 /// fewer than four.
 pub(crate) fn corners_by_length(lengths: &[f64]) -> Option<[usize; 4]> {
     let (count, total) = (lengths.len(), lengths.iter().sum::<f64>());

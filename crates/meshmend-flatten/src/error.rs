@@ -8,7 +8,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum FlattenError {
     /// A component is not a disc, and only discs can be laid out.
-    #[error("the component of {vertex} is {}: only a disc can be laid out, so cut it open first", name.as_deref().unwrap_or("no surface"))]
+    #[error("the component of {vertex} is {}: only a disc can be laid out, so cut it open first", name.as_deref().unwrap_or("not a surface"))]
     NotADisc {
         /// Its lowest vertex.
         vertex: VertexId,

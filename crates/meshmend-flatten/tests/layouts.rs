@@ -279,7 +279,7 @@ fn what_is_no_disc_is_refused_with_its_name() {
     assert_eq!(refused(bow_tie().unwrap()), not(None));
     assert_eq!(
         refused(bow_tie().unwrap()).to_string(),
-        "the component of v0 is no surface: only a disc can be laid out, so cut it open first"
+        "the component of v0 is not a surface: only a disc can be laid out, so cut it open first"
     );
     assert_eq!(refused(out_and_back(4).unwrap()), not(Some("sphere")));
 }

@@ -16,8 +16,8 @@ pub struct Rounding {
     pub emptied: usize,
 }
 
-/// The mesh with positions in single precision, and what that does to its faces of three corners or more; nothing where
-/// they are already.
+/// The mesh with positions in single precision, and what that does to its faces of three corners or more; nothing
+/// where they are already.
 ///
 /// *Cost*: linear where nothing moves; else n log n.
 pub fn in_single_precision(mesh: &PolygonMesh) -> Option<(PolygonMesh, Rounding)> {
@@ -31,7 +31,7 @@ pub fn in_single_precision(mesh: &PolygonMesh) -> Option<(PolygonMesh, Rounding)
     Some((mesh, rounding))
 }
 
-/// The points in single precision; nothing where they are already.
+/// The points in single precision; `None` where they are already.
 ///
 /// *Cost*: linear; memory where a point moves.
 fn rounded_to_single(points: &[Point]) -> Option<Vec<Point>> {
@@ -100,8 +100,8 @@ fn has_area(corners: impl Iterator<Item = Point> + Clone) -> bool {
     area_vector(std::iter::once([0.0; 3]).chain(spokes.map(|spoke| spoke.map(|x| x / size)))) != [0.0; 3]
 }
 
-/// Whether the area vector is so large beside the sides that no rounding could have made it. That is seen at a look, and
-/// true of nearly all faces.
+/// Whether the area vector is so large beside the sides that no rounding could have made it. That is seen at a look,
+/// and true of nearly all faces.
 fn has_clear_area(mut corners: impl Iterator<Item = Point>) -> bool {
     const LEAST: f64 = 1e-16;
     let Some(first) = corners.next() else { return false };

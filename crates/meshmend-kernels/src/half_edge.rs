@@ -68,7 +68,7 @@ struct Record {
 
 impl HalfEdge {
     /// The sides along the boundary loop that a side belongs to, from this one on, as the hole runs: each next
-    /// side ends where the one before begins. Nothing for a side with an opposite.
+    /// side ends where the one before begins. `None` for a side with an opposite.
     ///
     /// *Cost*: constant for each side.
     pub fn boundary_loop(&self, corner: CornerId) -> impl Iterator<Item = CornerId> + Clone {

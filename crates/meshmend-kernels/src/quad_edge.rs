@@ -90,7 +90,7 @@ impl QuadEdge {
     }
 
     /// The sides along the boundary loop that a side belongs to, from this one on, going backwards along it.
-    /// Nothing for a side with an opposite.
+    /// `None` for a side with an opposite.
     ///
     /// *Cost*: constant for each side.
     pub fn boundary_loop(&self, corner: CornerId) -> impl Iterator<Item = CornerId> + Clone {

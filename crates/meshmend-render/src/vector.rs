@@ -22,7 +22,7 @@ pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The vector of length one that points the same way; nothing for a vector of no direction.
+/// The vector of length one that points the same way; `None` for a vector of no direction.
 pub(crate) fn direction(a: Vector) -> Option<Vector> {
     let largest = a.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     if largest == 0.0 || !a.iter().all(|x| x.is_finite()) {
@@ -32,7 +32,7 @@ pub(crate) fn direction(a: Vector) -> Option<Vector> {
     Some(scaled(small, 1.0 / dot(small, small).sqrt()))
 }
 
-/// The mean of some points; nothing where there is none.
+/// The mean of some points; `None` where there is none.
 pub(crate) fn mean(points: impl Iterator<Item = Vector>) -> Option<Vector> {
     let (sum, count) = points.fold(([0.0; 3], 0.0), |(sum, count), p| (add(sum, p), count + 1.0));
     (count > 0.0).then(|| scaled(sum, 1.0 / count))

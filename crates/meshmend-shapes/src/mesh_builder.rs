@@ -14,8 +14,8 @@ pub(crate) struct MeshBuilder {
 }
 
 impl MeshBuilder {
-    /// An empty builder, if a mesh has room for as many corners as the product of the factors, or for as many vertices,
-    /// and so has the memory.
+    /// An empty builder, if a mesh has room for as many corners as the product of the factors, or for as many
+    /// vertices, and so has the memory.
     pub(crate) fn with_room(factors: &[usize]) -> Result<Self, ShapeError> {
         has_room(factors.iter().fold(1usize, |product, &factor| product.saturating_mul(factor)))?;
         Ok(MeshBuilder::default())
@@ -62,7 +62,7 @@ impl MeshBuilder {
         self.shape(name, Truth::surface(kind, holes, counts))
     }
 
-    /// A connected complex with V, E and F that is no manifold, with orientable patches and no torsion.
+    /// A connected complex with V, E and F that is not a manifold, with orientable patches and no torsion.
     pub(crate) fn branched(
         self,
         name: impl Into<String>,
@@ -73,8 +73,8 @@ impl MeshBuilder {
     }
 }
 
-/// What a mesh takes at most while it is made, for each of its corners: its vertices, tables and edges, and those of the
-/// coarser one that it is made from.
+/// What a mesh takes at most while it is made, for each of its corners: its vertices, tables and edges, and those of
+/// the coarser one that it is made from.
 const BYTES_A_CORNER: usize = 40;
 
 /// Fails unless a mesh holds so many corners, and the memory that it takes can be had. None of it is taken.

@@ -2,7 +2,7 @@
 
 /// The figures of a mesh, from closed forms; χ is V − E + F.
 ///
-/// Figures that are not defined for a mesh that is no manifold are `None`.
+/// Figures that are not defined for a mesh that is not a manifold are `None`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Truth {
     /// V: vertices in faces.
@@ -67,8 +67,8 @@ impl Truth {
         }
     }
 
-    /// The figures of one connected complex with V, E and F that is no manifold, whose patches are all orientable and
-    /// whose homology has no torsion.
+    /// The figures of one connected complex with V, E and F that is not a manifold, whose patches are all orientable
+    /// and whose homology has no torsion.
     pub fn branched(betti: [usize; 3], [vertices, edges, faces]: [usize; 3]) -> Self {
         Truth {
             vertices,

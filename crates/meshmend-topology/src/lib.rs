@@ -15,7 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! No answer is a guess: a figure that is not defined for a mesh (the genus of something that is no surface) is
+//! No answer is a guess: a figure that is not defined for a mesh (the genus of something that is not a surface) is
 //! absent, and the report says why.
 
 mod defects;

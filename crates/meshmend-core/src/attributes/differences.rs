@@ -1,10 +1,10 @@
-//! In what two faces over the same vertices differ, so that one of them is no mere repeat of the other.
+//! In what two faces over the same vertices differ, so that one is more than a repeat of the other.
 
 use std::fmt;
 
 use crate::{Domain, Layer, Role};
 
-/// Something by which a face over the vertices of another one is told from it.
+/// Something that tells a face from another one over the same vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Aspect {
     /// What the face is made of.

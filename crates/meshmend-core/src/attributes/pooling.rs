@@ -1,15 +1,16 @@
-//! Values that a change creates at corners are pooled: those that are the same to the bit are one value. (Values of vertices
-//! are not: which vertex one stands for is told by its place.)
+//! Values that a change creates at corners are pooled: those that are the same to the bit are one value. (Values of
+//! vertices are not: its place says which vertex it stands for.)
 
 use std::sync::Arc;
 
 use crate::{Layer, NO_VALUE, Values};
 
 impl Layer {
-    /// Lets elements that use a created value, one from `first` on, use the first value that is the same to the bit; what
-    /// is then no longer used goes.
+    /// Lets elements that use a created value, one from `first` on, use the first value that is the same to the bit;
+    /// what is then no longer used goes.
     ///
-    /// *Cost*: constant where nothing was created; else linear in the pool and the uses, and a sort of what was created.
+    /// *Cost*: constant where nothing was created; else linear in the pool and the uses, and a sort of what was
+    /// created.
     pub(crate) fn pool_created(&mut self, first: usize, uses: &mut [u32]) {
         let count = self.value_count();
         if count == first {

@@ -11,7 +11,7 @@ pub(crate) struct Turned {
     pub(crate) uses: Vec<u32>,
 }
 
-/// Turns the values of a layer at the corners of flipped faces. Nothing where there is nothing to turn.
+/// Turns the values of a layer at the corners of flipped faces. `None` where there is nothing to turn.
 ///
 /// *Cost*: linear in the corners, for layers that turn where faces are flipped; else O(1).
 pub(crate) fn turned(layer: &Layer, faces: &FaceTable, flipped: &[FaceId]) -> Option<Turned> {
@@ -38,8 +38,8 @@ pub(crate) fn turned(layer: &Layer, faces: &FaceTable, flipped: &[FaceId]) -> Op
     Some(Turned { layer, uses })
 }
 
-/// How many stored normals of a mesh that came of another were turned with their faces: one a corner of a flipped face,
-/// or one a face where the layer is one of faces. Told by the values, whatever the policy was.
+/// How many stored normals of a mesh that came of another were turned with their faces: one a corner of a flipped
+/// face, or one a face where the layer is one of faces. Told by the values, whatever the policy was.
 ///
 /// *Cost*: linear in the corners of flipped faces, times the layers of normals.
 pub fn turned_normals(before: &PolygonMesh, after: &PolygonMesh, record: &Provenance) -> usize {

@@ -125,8 +125,8 @@ impl Values {
         }
     }
 
-    /// A pool of these values in this order, each of so many numbers; where there is none NaN, or 0 or an empty name in types
-    /// that have no NaN. Nothing for lists.
+    /// A pool of these values in this order, each of so many numbers; where there is none NaN, or 0 or an empty name
+    /// in types that have no NaN. `None` for lists.
     pub(crate) fn picked(&self, order: impl Iterator<Item = Option<usize>>, width: usize) -> Option<Values> {
         macro_rules! pick {
             ($kind:ident, $values:expr, $absent:expr) => {{

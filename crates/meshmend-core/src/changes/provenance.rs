@@ -115,7 +115,7 @@ impl Provenance {
         unset(&self.faces.survivors(self.before.faces))
     }
 
-    /// The new faces that are no old one.
+    /// The new faces that do not come from an old one.
     pub fn added_faces(&self) -> usize {
         self.faces.iter().filter(|(_, old)| old.is_none()).count()
     }

@@ -1,5 +1,5 @@
-//! A defect, its kind, and the rule of a kind: a rule may look for defects, each has a kind, and a kind of somebody's own is
-//! its rule.
+//! A defect, its kind, and the rule of a kind: a rule may look for defects, each has a kind, and a kind from another
+//! crate is its rule.
 
 use super::Element;
 use crate::{Differences, PolygonMesh};
@@ -61,7 +61,7 @@ macro_rules! kinds {
         #[non_exhaustive]
         pub enum DefectKind {
             $($kind,)*
-            /// A kind of somebody's own, which [`Rules::with`](crate::Rules::with) makes known to a check.
+            /// A kind from another crate, which [`Rules::with`](crate::Rules::with) makes known to a check.
             Own(&'static Rule),
         }
     };
@@ -86,11 +86,11 @@ pub struct Rule {
     pub found: Found,
     /// Where its items are listed.
     pub listed: Listed,
-    /// What [`Defect::count`] counts, as the key under which it is told; `None` where nothing is counted.
+    /// What [`Defect::count`] counts, as the key of that number in JSON; `None` if the kind counts nothing.
     pub counts: Option<&'static str>,
-    /// The sentence about one item. In it `{at}` stands for the element and `{beside}` for the one beside it, `{face}`,
-    /// `{vertex}` and `{ends}` for what the element has of these, `{count}` and `{faces}` for the count, alone or of
-    /// faces, and `{detail}` for what else the kind tells.
+    /// The sentence about one item. In it `{at}` stands for the element and `{beside}` for the one beside it,
+    /// `{face}`, `{vertex}` and `{ends}` for what the element has of these, `{count}` and `{faces}` for the count,
+    /// alone or of faces, and `{detail}` for what else the kind tells.
     pub sentence: &'static str,
 }
 
@@ -132,8 +132,8 @@ pub enum Listed {
     OnRequest,
     /// Nowhere unless asked for: items of another kind tell them already, and without those there are none of these.
     AlreadyBy(DefectKind),
-    /// In the record of the pass that left them alone, as the result no longer shows them; then what could be done about
-    /// it.
+    /// In the record of the pass that left them alone, as the result no longer shows them; then what could be done
+    /// about it.
     InRecord {
         /// What could be done, or an empty text.
         hint: &'static str,

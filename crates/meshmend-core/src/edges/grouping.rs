@@ -6,9 +6,10 @@
 //! scattered       each thread parts the records of a source by ranges of some thousand keys; then as above, by range
 //! ```
 //!
-//! The plain way is the faster one while records beside one another have keys near one another, as in meshes that were
-//! modelled. A table that is filled in random order waits for memory at each record as soon as it is larger than the
-//! cache; then it pays to part the records first, which takes two more passes, but writes to a few places in turn.
+//! The plain way is the faster one while records beside one another have keys near one another, as in meshes that
+//! were modelled. A table that is filled in random order waits for memory at each record as soon as it is larger than
+//! the cache; then it pays to part the records first, which takes two more passes, but writes to a few places in
+//! turn.
 
 use std::ops::Range;
 
@@ -45,7 +46,7 @@ const MOST_THREADS: usize = 8;
 impl Strategy {
     /// The way that is fast for a table of faces.
     pub(crate) fn for_table(faces: &FaceTable) -> Self {
-        // A small mesh is no reason to start threads.
+        // Threads are not worth starting for a small mesh.
         let is_large = faces.corner_count() >= LARGE;
         let threads = if is_large { threads::count().min(MOST_THREADS) } else { 1 };
         // Each thread has a cache of its own, but also looks at all records, unless they are parted.
@@ -59,8 +60,8 @@ impl Strategy {
         (0..self.threads).map(|share| bound(share)..bound(share + 1)).collect()
     }
 
-    /// Collects the records of all sources, whose keys are below `key_count`: in as many collections as there are threads,
-    /// each of a range of keys, ascending.
+    /// Collects the records of all sources, whose keys are below `key_count`: in as many collections as there are
+    /// threads, each of a range of keys, ascending.
     pub(crate) fn collect<T, C>(self, key_count: usize, sources: &[impl Records<T>]) -> Vec<C>
     where
         T: Copy + Default + Send + Sync,
@@ -153,8 +154,8 @@ impl<T> Default for Groups<T> {
 }
 
 impl<T: Clone + Default> Groups<T> {
-    /// Groups the records of the keys that follow, each in the form that `item` gives it. Within a group they keep their
-    /// order.
+    /// Groups the records of the keys that follow, each in the form that `item` gives it. Within a group they keep
+    /// their order.
     #[inline]
     pub(crate) fn add_as<R>(&mut self, keys: Range<u32>, records: &impl Records<R>, item: impl Fn(R) -> T) {
         let (first, mut total) = (self.starts.len(), self.items.len() as u32);

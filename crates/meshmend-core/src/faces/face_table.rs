@@ -39,7 +39,7 @@ impl FaceTable {
     /// A table of triangles: three corners a face, no starts stored.
     ///
     /// # Errors
-    /// When a corner names a vertex at or beyond `vertex_count`, the number of corners is no multiple of three,
+    /// When a corner names a vertex at or beyond `vertex_count`, the number of corners is not a multiple of three,
     /// or there are too many elements.
     ///
     /// *Cost*: one pass over the corners.

@@ -20,8 +20,8 @@ pub trait Connectivity: Sized + Send + Sync {
     /// What it holds and what it offers.
     const CAPABILITIES: Capabilities;
 
-    /// Builds the index. Only for a complex that [`admission`](crate::admission()) has nothing against: there it can't
-    /// fail. [`Build::build`](crate::Build::build) asks first.
+    /// Builds the index. Only for a complex that [`admission`](crate::admission()) has nothing against: there it
+    /// can't fail. [`Build::build`](crate::Build::build) asks first.
     fn assemble(complex: &Complex) -> Self;
 
     /// How many vertices the mesh has, unreferenced ones included.
@@ -139,7 +139,7 @@ pub trait Connectivity: Sized + Send + Sync {
 
 /// A kernel whose every edge has one side or two, so that a side has at most one opposite.
 pub trait ManifoldConnectivity: Connectivity {
-    /// The other side along the same edge; nothing on the boundary. It is [`across`](Connectivity::across), which
+    /// The other side along the same edge; `None` on the boundary. It is [`across`](Connectivity::across), which
     /// has nothing else to leave out here.
     #[inline]
     fn opposite(&self, corner: CornerId) -> Option<CornerId> {

@@ -11,7 +11,7 @@
 //! shares as well as the corners of each vertex (14 bytes a triangle). Faces of other sizes add 4 bytes a corner for
 //! corner → face.
 //!
-//! *Admits* anything: a use is a record of its own, so an edge with three sides is no special case.
+//! *Admits* anything: a use is a record of its own, so an edge with three sides is not a special case.
 //!
 //! *Cost*: every query is constant time for each answer.
 //!

@@ -87,7 +87,7 @@ const CHUNK: usize = 1 << 12;
 pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexClass> {
     let class = |star: &mut Star, v| star.umbrellas(kernel, VertexId::new(v)).class();
     let vertices = 0..kernel.vertex_count();
-    // A small mesh is no reason to start threads.
+    // Threads are not worth starting for a small mesh.
     if vertices.len() <= CHUNK {
         let mut star = Star::default();
         return vertices.map(|v| class(&mut star, v)).collect();
@@ -185,8 +185,8 @@ impl Star {
         (found + walk(&partners, 0, corners).0 + 1 == corners).then_some(half_disc)
     }
 
-    /// For each place of an edge beside a corner the other place where the same edge is, if there are one or two. Nothing
-    /// where an edge has more, or there are more corners than a few.
+    /// For each place of an edge beside a corner the other place where the same edge is, if there are one or two.
+    /// Nothing where an edge has more, or there are more corners than a few.
     fn partners(&self) -> Option<[u8; 2 * FEW]> {
         const SLOTS: usize = 4 * FEW;
         if !(2..=2 * FEW).contains(&self.edges.len()) {
@@ -230,8 +230,8 @@ impl Star {
     }
 }
 
-/// Walks from the first corner across its edge before it (0) or after it (1): how many corners are come to, and whether
-/// the first one is the last of them.
+/// Walks from the first corner across its edge before it (0) or after it (1): how many corners are come to, and
+/// whether the first one is the last of them.
 fn walk(partners: &[u8; 2 * FEW], start: u8, corners: usize) -> (usize, bool) {
     let mut from = start;
     for found in 0..corners {

@@ -13,8 +13,8 @@ pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
     Coincidence::of(mesh.positions()).exactly
 }
 
-/// For each vertex the lowest one at the same position when all coordinates are rounded to single precision; what is not
-/// finite then equals nothing.
+/// For each vertex the lowest one at the same position when all coordinates are rounded to single precision; what is
+/// not finite then equals nothing.
 ///
 /// *Cost*: linear; 20 bytes a vertex.
 pub fn coincident_in_single(mesh: &PolygonMesh) -> Vec<VertexId> {
@@ -37,7 +37,7 @@ impl Coincidence {
     pub fn of(positions: &[Point]) -> Self {
         let are_single = |positions: &[Point]| positions.iter().flatten().all(|&x| f64::from(x as f32) == x);
         let lowest = equal_in_single(positions);
-        // A coordinate that is no number equals none, itself included.
+        // A coordinate that is not a number equals none, itself included.
         if positions.par_chunks(CHUNK).all(are_single) {
             return Coincidence { exactly: lowest, only_in_single: 0 };
         }
@@ -60,8 +60,8 @@ fn equal_in_single(positions: &[Point]) -> Vec<VertexId> {
     lowest_of_equal(positions, |&point| is_in_reach(point).then(|| point.map(|x| (x as f32 + 0.0).to_bits())))
 }
 
-/// The vertices of which single precision does not tell what they equal: all of a class that are not all at one position,
-/// and those beyond its reach.
+/// The vertices of which single precision does not tell what they equal: all of a class that are not all at one
+/// position, and those beyond its reach.
 fn doubtful(positions: &[Point], lowest: &[VertexId]) -> Vec<VertexId> {
     let vertices = || (0..positions.len()).map(VertexId::new);
     let mut is_mixed = vec![false; positions.len()];

@@ -5,9 +5,9 @@ use robust::{Coord, orient2d};
 
 use crate::sorting::merge_sort;
 
-/// A polygon in a plane that runs round its inside anticlockwise, and may touch itself: several corners may stand at one
-/// vertex, and a side may be run both ways (a *bridge* to a hole). Corners, and the sides that start at them, are named
-/// after their places; vertices after their order from left to right, of those above each other from below.
+/// A polygon in a plane that runs round its inside anticlockwise, and may touch itself: several corners may stand at
+/// one vertex, and a side may be run both ways (a *bridge* to a hole). Corners, and the sides that start at them, are
+/// named after their places; vertices after their order from left to right, of those above each other from below.
 pub(super) struct Outline {
     points: Vec<[f64; 2]>,
     /// The vertex of each corner.
@@ -31,7 +31,7 @@ pub(super) struct Edge {
 }
 
 impl Outline {
-    /// Nothing if two vertices are at one point, or a side is run twice the same way.
+    /// `None` if two vertices are at one point, or a side is run twice the same way.
     ///
     /// *Cost*: O(n log n).
     pub(super) fn of(points: &[[f64; 2]], names: &[VertexId]) -> Option<Self> {
@@ -139,8 +139,8 @@ impl Outline {
         orient2d(a, b, c)
     }
 
-    /// Whether an edge that reaches over a vertex runs below it. One that runs through it, without a corner there, lies
-    /// on the side on which the polygon does not go on from the vertex.
+    /// Whether an edge that reaches over a vertex runs below it. One that runs through it, without a corner there,
+    /// lies on the side on which the polygon does not go on from the vertex.
     pub(super) fn is_below(&self, edge: Edge, vertex: u32) -> bool {
         let turn = self.turn([edge.left, edge.right, vertex]);
         if turn != 0.0 {

@@ -1,10 +1,11 @@
 //! Cuts a polygon that comes back to a vertex into simple ones that cover what it covers.
 //!
-//! A face with a hole is written as its rim, a *bridge* to the hole, the hole the other way round, and the bridge back.
-//! Told apart by their places, its corners are those of a disc, though some stand at one vertex; so it is cut into
-//! triangles like any other. These make a tree, in which two are neighbours where they share a diagonal. From its leaves
-//! on, what lies on both sides of a diagonal is joined again unless that would bring two corners of one vertex together.
-//! The diagonals that are left are the cuts. A small polygon that crosses itself is tried with every choice of diagonals.
+//! A face with a hole is written as its rim, a *bridge* to the hole, the hole the other way round, and the bridge
+//! back. Told apart by their places, its corners are those of a disc, though some stand at one vertex; so it is cut
+//! into triangles like any other. These make a tree, in which two are neighbours where they share a diagonal. From
+//! its leaves on, what lies on both sides of a diagonal is joined again unless that would bring two corners of one
+//! vertex together. The diagonals that are left are the cuts. A small polygon that crosses itself is tried with every
+//! choice of diagonals.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -30,11 +31,11 @@ pub fn has_hole(whole: &[Point], mut loops: impl Iterator<Item = Vec<Point>>) ->
     loops.any(|points| ExactArea::of(&points).turns_against(&whole))
 }
 
-/// The simple pieces of a polygon, each with its corners in the polygon's order, by their first. Nothing if none were
+/// The simple pieces of a polygon, each with its corners in the polygon's order, by their first. `None` if none were
 /// found that keep what is promised, as in most polygons that cross themselves.
 ///
-/// No two sides of pieces run the same way between the same vertices, and no piece turns against the polygon. A cut is no
-/// edge that is taken where that can be had.
+/// No two sides of pieces run the same way between the same vertices, and no piece turns against the polygon. A cut
+/// runs along an edge that is taken only where there is no other choice.
 ///
 /// *Cost*: as for [`triangulate_polygon`](super::triangulate_polygon), and O(n log n).
 pub fn simple_pieces(
@@ -95,7 +96,8 @@ fn searched(polygon: Polygon<'_>, from: usize, cuts: &mut Vec<[usize; 2]>) -> Op
     None
 }
 
-/// The pieces of some walks along a polygon, if they keep what is promised, and whether triangles lie in them side by side.
+/// The pieces of some walks along a polygon, if they keep what is promised, and whether triangles lie in them side by
+/// side.
 fn cut(
     polygon: Polygon<'_>,
     walks: &[Vec<usize>],
@@ -124,7 +126,7 @@ fn in_order(piece: &[usize], walk: &[usize]) -> Vec<usize> {
     corners
 }
 
-/// The diagonals, as their lower and higher place, that part the triangles into simple pieces; nothing if a triangle
+/// The diagonals, as their lower and higher place, that part the triangles into simple pieces; `None` if a triangle
 /// has two corners at one vertex.
 fn cuts(polygon: Polygon<'_>, mut triangles: Vec<Triangle>) -> Option<Vec<[usize; 2]>> {
     let repeated = repeated_vertices(polygon);
@@ -180,7 +182,7 @@ fn joined(
     Ok(large)
 }
 
-/// The pieces into which diagonals part a polygon of so many corners; nothing if they cross.
+/// The pieces into which diagonals part a polygon of so many corners; `None` if they cross.
 fn parted(count: usize, mut cuts: Vec<[usize; 2]>) -> Option<Vec<Vec<usize>>> {
     // By their higher place, of those the shortest first.
     cuts.sort_unstable_by_key(|&[low, high]| (high, Reverse(low)));

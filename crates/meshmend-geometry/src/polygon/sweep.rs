@@ -4,8 +4,8 @@
 //! *chain*: the corners that it has passed and that may still get triangles, from its lower edge to its upper one. A
 //! corner that comes cuts off all triangles that it can see, and becomes part of the chain.
 //!
-//! Several corners may stand at one vertex. Which of them a strip belongs to is told by the sides that bound it, so the
-//! triangles lie between corners, and a polygon with bridges to its holes is cut like any other.
+//! Several corners may stand at one vertex. Which of them a strip belongs to follows from the sides that bound it, so
+//! the triangles lie between corners, and a polygon with bridges to its holes is cut like any other.
 //!
 //! *Source*: S. Hertel, K. Mehlhorn, *Fast triangulation of simple polygons*, 1983.
 
@@ -16,8 +16,8 @@ use super::outline::{Edge, Outline};
 use super::sweep_chains::{Chain, Chains};
 use super::sweep_line::SweepLine;
 
-/// The triangles of a polygon in a plane that runs round its inside anticlockwise, each with its corners in the polygon's
-/// order; corners of one name stand at one vertex. Nothing if the polygon crosses itself.
+/// The triangles of a polygon in a plane that runs round its inside anticlockwise, each with its corners in the
+/// polygon's order; corners of one name stand at one vertex. `None` if the polygon crosses itself.
 ///
 /// *Cost*: O(n log n).
 pub(super) fn by_sweep(points: &[[f64; 2]], names: &[VertexId]) -> Option<Vec<Triangle>> {
@@ -45,7 +45,7 @@ struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
-    /// Passes a vertex; nothing if the polygon turns out to cross itself.
+    /// Passes a vertex; `None` if the polygon turns out to cross itself.
     fn pass(&mut self, vertex: u32) -> Option<()> {
         let outline = self.outline;
         let ends_here = |edge: u32| outline.edge(edge).right == vertex;
@@ -227,8 +227,8 @@ mod tests {
         }
     }
 
-    /// A side that falls from the left passes under one that begins lower, further on. Between them is a gap, and above
-    /// both a corner that belongs to the nearer one.
+    /// A side that falls from the left passes under one that begins lower, further on. Between them is a gap, and
+    /// above both a corner that belongs to the nearer one.
     #[test]
     fn sides_are_compared_where_both_are() {
         let polygon = [
@@ -313,8 +313,8 @@ mod tests {
         }
     }
 
-    /// A square with rows of holes: from the left side of the square a bridge leads to the first hole of each row, and from
-    /// each hole one to the next.
+    /// A square with rows of holes: from the left side of the square a bridge leads to the first hole of each row,
+    /// and from each hole one to the next.
     fn perforated(rows: u32, columns: u32) -> (Flat, Vec<VertexId>) {
         let (mut polygon, mut names): (Flat, Vec<VertexId>) = (Vec::new(), Vec::new());
         let mut corner = |x: f64, y: f64| {

@@ -16,10 +16,11 @@ const LARGEST_EXACT: usize = 64;
 /// Ears of a comb or of a polygon that crosses itself take n² steps: at this size some tenths of a second.
 const LARGEST_BY_EARS: usize = 4096;
 
-/// The triangles of a polygon: two fewer than it has corners, which all of its sides bound once and all diagonals twice.
+/// The triangles of a polygon: two fewer than it has corners, which all of its sides bound once and all diagonals
+/// twice.
 ///
-/// They join two corners at one vertex, lie the wrong way round or take a diagonal that is taken only where every other
-/// choice that was tried is worse.
+/// They join two corners at one vertex, lie the wrong way round or take a diagonal that is taken only where every
+/// other choice that was tried is worse.
 ///
 /// *Cost*: O(n³) up to 64 corners; O(n²) up to 4096 and mostly n log n; O(n log n) beyond.
 pub fn triangulate_polygon(
@@ -61,7 +62,7 @@ pub(super) fn least_cost(
     least.unwrap_or_default()
 }
 
-/// Ears in the plane in which the polygon's area vector is largest; nothing for those that are too large, or in which
+/// Ears in the plane in which the polygon's area vector is largest; `None` for those that are too large, or in which
 /// one vertex has several corners.
 fn by_ears(polygon: Polygon<'_>, normal: Point) -> Option<Vec<Triangle>> {
     if polygon.len() > LARGEST_BY_EARS || distinct_count(polygon.vertices) < polygon.len() {

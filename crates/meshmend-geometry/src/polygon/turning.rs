@@ -4,8 +4,8 @@ use crate::vector::Point;
 
 /// Twice the area vector of a loop, without any rounding.
 ///
-/// A loop far from the origin, or one of hardly any area, has a direction all the same, and who decides by it decides as
-/// exact fractions would.
+/// A loop far from the origin, or one of hardly any area, has a direction all the same: the one that exact fractions
+/// would give.
 pub struct ExactArea([Expansion; 3]);
 
 impl ExactArea {
@@ -43,7 +43,8 @@ impl ExactArea {
 
 /// A number as a sum of doubles that do not overlap, the largest last.
 ///
-/// *Source*: J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, 1997.
+/// *Source*: J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates*,
+/// 1997.
 struct Expansion(Vec<f64>);
 
 impl Expansion {

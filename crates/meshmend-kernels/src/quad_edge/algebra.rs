@@ -147,7 +147,7 @@ impl<T> Subdivision<T> {
         self.onext(dart).sym()
     }
 
-    /// Makes one dart follow another along the face on their left: the dual ring about that face is told, and the
+    /// Makes one dart follow another along the face on their left: the dual ring about that face is known, and the
     /// ring about the vertex between them.
     ///
     /// When this has been said of every side of every face, holes included, all four references of every edge

@@ -1,10 +1,10 @@
 //! Which face is nearest at each sample of a panel: scan conversion into a depth buffer.
 //!
 //! Every face is drawn by its boundary: each of its sides crosses rows of samples, and between the first and second,
-//! third and fourth … crossing of a row lies the face. Nearness is interpolated along sides and then along rows: exact
-//! for triangles and plane faces, without cracks between any faces that share sides, and the same whatever the corner
-//! at which a face begins and whichever way it runs. A face whose sides cross in the picture is filled by the even-odd
-//! rule.
+//! third and fourth … crossing of a row lies the face. Nearness is interpolated along sides and then along rows:
+//! exact for triangles and plane faces, without cracks between any faces that share sides, and the same whatever the
+//! corner at which a face begins and whichever way it runs. A face whose sides cross in the picture is filled by the
+//! even-odd rule.
 
 use meshmend_core::FaceId;
 
@@ -97,8 +97,8 @@ impl DepthBuffer {
     /// Paints a face with its corners in the panel's pixels. Of equally near faces the one of the lower number stays,
     /// whatever the order in which they are painted.
     ///
-    /// *Cost*: the corners, the rows that each side crosses, with a logarithm, and the samples covered, apart from those
-    /// in tiles where the face is behind others.
+    /// *Cost*: the corners, the rows that each side crosses, with a logarithm, and the samples covered, apart from
+    /// those in tiles where the face is behind others.
     pub(crate) fn paint(&mut self, face: u32, corners: &[Vector]) {
         let [columns, [first, end]] = self.samples_of(corners);
         let is_large = columns[1] - columns[0] > TILE && end - first > TILE;
@@ -162,7 +162,7 @@ impl DepthBuffer {
         owned.for_each(|owner| *owner = faces[*owner as usize].0);
     }
 
-    /// The nearest face at a place in the panel's pixels; nothing where there is none.
+    /// The nearest face at a place in the panel's pixels; `None` where there is none.
     pub(crate) fn face_at(&self, x: f64, y: f64) -> Option<u32> {
         let (column, row) = self.sample_at(x, y)?;
         Some(self.owner[row * self.columns + column]).filter(|&face| face != NOTHING)

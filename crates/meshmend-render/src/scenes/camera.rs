@@ -42,8 +42,8 @@ const EYE_DISTANCE: f64 = 4.0;
 const PARALLEL: f64 = 1e-9;
 
 impl Camera {
-    /// An eye that looks from a direction, seen from the mesh. Where `up` is no direction or is that of the eye, up
-    /// is the y axis, or the z axis.
+    /// An eye that looks from a direction, seen from the mesh. Where `up` is not a direction or is that of the eye,
+    /// up is the y axis, or the z axis.
     ///
     /// # Errors
     /// When the direction to look from has no length or is not finite.

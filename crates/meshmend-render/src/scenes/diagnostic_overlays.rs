@@ -17,7 +17,7 @@ pub fn boundary(mesh: &PolygonMesh) -> Overlay {
     }
 }
 
-/// Where a mesh is no surface: its edges with three faces or more, and the vertices that join several umbrellas. A
+/// Where a mesh is not a surface: its edges with three faces or more, and the vertices that join several umbrellas. A
 /// vertex that is singular for such an edge alone is not named again.
 ///
 /// *Cost*: O(Σ d log d) over the vertices' degrees d.

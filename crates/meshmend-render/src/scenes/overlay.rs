@@ -15,7 +15,7 @@ pub enum Overlay {
         /// The edges with one face.
         edges: Vec<EdgeId>,
     },
-    /// Where the mesh is no surface.
+    /// Where the mesh is not a surface.
     NonManifold {
         /// The edges with three faces or more.
         edges: Vec<EdgeId>,
@@ -34,7 +34,7 @@ pub enum Overlay {
     },
     /// The faces, coloured by what they hang together with.
     Components {
-        /// For each vertex the number of its component; nothing for those in no face.
+        /// For each vertex the number of its component; `None` for those in no face.
         of_vertex: Vec<Option<u32>>,
     },
     /// Closed paths round handles, cross-caps and holes.

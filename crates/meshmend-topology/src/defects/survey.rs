@@ -1,4 +1,4 @@
-//! All faces, edges and vertices looked at once, for every kind of defect that is told by connectivity.
+//! All faces, edges and vertices looked at once, for every kind of defect that shows in the connectivity.
 
 use meshmend_core::{
     Column, Connectivity, DefectKind, EdgeClass, EdgeId, PolygonMesh, VertexClass, VertexId, edge_class,

@@ -156,7 +156,7 @@ impl Elimination {
         None
     }
 
-    /// Takes a row out and its pivot column out of all other rows; nothing when the budget is spent.
+    /// Takes a row out and its pivot column out of all other rows; `None` when the budget is spent.
     fn eliminate(&mut self, row: u32, column: u32) -> Option<()> {
         let pivot_row = std::mem::take(&mut self.rows[row as usize]);
         for &other in pivot_row.keys() {

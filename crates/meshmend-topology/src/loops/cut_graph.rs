@@ -1,12 +1,13 @@
 //! Along which edges does each surface open into a disc?
 //!
-//! A tree of the faces alone leaves edges that it does not cross, the boundary among them. What ends blindly there can
-//! be taken away again and again, and what is left is the *cut graph*: cut along it, the surface is a disc. The tree
-//! crosses edges outside the tree of the vertices first, so that the graph is made of shortest paths where it can be.
+//! A tree of the faces alone leaves edges that it does not cross, the boundary among them. What ends blindly there
+//! can be taken away again and again, and what is left is the *cut graph*: cut along it, the surface is a disc. The
+//! tree crosses edges outside the tree of the vertices first, so that the graph is made of shortest paths where it
+//! can be.
 //!
-//! Of a closed sphere nothing would be left. Its cut graph is a path of two edges: the lowest two at its lowest vertex
-//! that has two. Every closed sphere has such a vertex, as every face has three different vertices; one edge would
-//! not do, as its two sides would still join the same two vertices.
+//! Of a closed sphere nothing would be left. Its cut graph is a path of two edges: the lowest two at its lowest
+//! vertex that has two. Every closed sphere has such a vertex, as every face has three different vertices; one edge
+//! would not do, as its two sides would still join the same two vertices.
 
 use meshmend_core::{Column, Connectivity, Defect, EdgeId, VertexId};
 
@@ -23,8 +24,8 @@ pub struct CutGraph {
     pub edges: Vec<EdgeId>,
     /// Which surface each component is, if it is one.
     pub surfaces: Column<ComponentId, Option<Surface>>,
-    /// For each component that is no surface, the first edge, or else the first vertex, that no surface has. Such a
-    /// component has no cut graph.
+    /// For each component that is not a surface, the first edge, or else the first vertex, that no surface has. Such
+    /// a component has no cut graph.
     pub obstacles: Vec<(ComponentId, Defect)>,
 }
 
@@ -72,8 +73,8 @@ fn uncrossed<K: Connectivity>(ground: &Ground<'_, K>, trees: &Trees) -> Vec<Edge
 
 /// Takes away edges that end blindly, until there is none.
 fn prune<K: Connectivity>(kernel: &K, edges: &mut Vec<EdgeId>) {
-    // Of all edges at a vertex that are there: how many, and the exclusive or of their numbers, which is the last one's
-    // when there is one.
+    // Of all edges at a vertex that are there: how many, and the exclusive or of their numbers, which is the last
+    // one's when there is one.
     let mut at_vertex: Column<VertexId, (u32, u32)> = Column::filled((0, 0), kernel.vertex_count());
     for edge in edges.iter() {
         for end in kernel.edge_ends(*edge) {

@@ -97,7 +97,7 @@ impl Forest {
         *node = Node { distance, entry: edge, next: from };
     }
 
-    /// The edge from a vertex towards its root; nothing for a root.
+    /// The edge from a vertex towards its root; `None` for a root.
     #[inline]
     pub(super) fn entry(&self, vertex: VertexId) -> Option<EdgeId> {
         let edge = self.nodes[vertex].entry;

@@ -45,9 +45,9 @@ pub(super) enum Path {
 pub struct ComponentGenerators {
     /// The component.
     pub component: ComponentId,
-    /// Where the generators begin and what they are; nothing for a component that is no surface.
+    /// Where the generators begin and what they are; `None` for a component that is not a surface.
     pub system: Option<LoopSystem>,
-    /// For a component that is no surface, the first edge, or else the first vertex, that no surface has.
+    /// For a component that is not a surface, the first edge, or else the first vertex, that no surface has.
     pub obstacle: Option<Defect>,
     /// Its generators: by left-over edge, and then boundary loops by lowest vertex.
     pub generators: Vec<Generator>,

@@ -4,14 +4,15 @@
 //!
 //! 1. a tree of shortest paths from a root to every vertex (`forest`);
 //! 2. a tree across the other edges to every face, boundary loops counting as faces (`co_tree`);
-//! 3. what is left over are 2g edges, or μ: each with its two ways to the root, from where they meet, is a closed path.
-//!    Together with all boundary loops but the one with the lowest vertex these are the [`Generators`]: as many as β₁
-//!    over ℤ/2, and independent, since the way that an edge closes across the tree of the faces crosses its own path
-//!    once and no other.
+//! 3. what is left over are 2g edges, or μ: each with its two ways to the root, from where they meet, is a closed
+//!    path. Together with all boundary loops but the one with the lowest vertex these are the [`Generators`]: as many
+//!    as β₁ over ℤ/2, and independent, since the way that an edge closes across the tree of the faces crosses its own
+//!    path once and no other.
 //!
 //! The [`cut_graph`] are the edges that a tree of the faces alone does not cross, less what ends blindly.
 //!
-//! Only ids decide, so every kernel gives the same answer. A component that is no surface gets none, and the reason.
+//! Only ids decide, so every kernel gives the same answer. A component that is not a surface gets none, and the
+//! reason.
 //!
 //! *Source*: D. Eppstein, *Dynamic generators of topologically embedded graphs*, 2003; J. Erickson, K. Whittlesey,
 //! *Greedy optimal homotopy and homology generators*, 2005.

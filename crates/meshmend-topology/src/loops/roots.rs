@@ -21,7 +21,7 @@ pub enum Roots {
     Best(NonZeroU32),
 }
 
-/// One root for each component that is a surface; nothing for the others.
+/// One root for each component that is a surface; `None` for the others.
 pub(super) type RootChoice = Column<ComponentId, Option<VertexId>>;
 
 /// The lowest vertex of each surface.

@@ -42,7 +42,7 @@ impl Crossings {
         Crossings { of_corner }
     }
 
-    /// The way across a corner's edge; nothing where it has not exactly two sides.
+    /// The way across a corner's edge; `None` where it has not exactly two sides.
     #[inline]
     pub(crate) fn across(&self, corner: CornerId) -> Option<Crossing> {
         let word = self.of_corner[corner];

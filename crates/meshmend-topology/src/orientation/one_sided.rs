@@ -56,8 +56,8 @@ pub fn one_sided_loops<K: Connectivity>(kernel: &K, patches: &Patches) -> Vec<On
 /// The shortest one-sided loop of each patch that is not orientable, by lengths of the steps across edges, such as
 /// the ways between the centres of faces.
 ///
-/// A patch in which a length is no number from 0 on is measured in faces. Lengths count in steps of the 2³¹st part of
-/// the longest one, and as one step at least.
+/// A patch in which a length is not a number from 0 on is measured in faces. Lengths count in steps of the 2³¹st part
+/// of the longest one, and as one step at least.
 ///
 /// *Cost*: that of [`one_sided_loops`].
 pub fn one_sided_loops_by_length<K: Connectivity>(

@@ -150,7 +150,7 @@ impl<'a, K: Connectivity> Tree<'a, K> {
         one
     }
 
-    /// The witness of a patch; nothing where no edge contradicts the sides.
+    /// The witness of a patch; `None` where no edge contradicts the sides.
     fn shortest_one_sided_cycle(&self, patch: PatchId) -> Option<OneSidedStrip> {
         let corners = self.patches.faces(patch).iter().flat_map(|&face| self.kernel.face_corners(face));
         let cycles = corners.filter_map(|corner| self.one_sided_cycle(corner));

@@ -61,7 +61,7 @@ impl Patches {
         (0..self.count()).map(PatchId::new)
     }
 
-    /// The patch of a face; nothing for a degenerate one.
+    /// The patch of a face; `None` for a degenerate one.
     #[inline]
     pub fn of_face(&self, face: FaceId) -> Option<PatchId> {
         let word = self.of_face[face];

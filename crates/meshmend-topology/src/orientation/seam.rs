@@ -65,7 +65,7 @@ pub fn seams<K: Connectivity>(kernel: &K, patches: &Patches) -> Vec<Seam> {
 
 /// A short seam of each patch that is not orientable, by the lengths of edges.
 ///
-/// A patch in which a length is no number from 0 on is measured in edges.
+/// A patch in which a length is not a number from 0 on is measured in edges.
 ///
 /// *Cost*: that of [`seams`].
 pub fn seams_by_length<K: Connectivity>(

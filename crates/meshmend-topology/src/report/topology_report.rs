@@ -94,7 +94,7 @@ pub struct DuplicateCounts {
     pub opposite: u64,
 }
 
-/// How many vertices are no vertices of a surface.
+/// How many vertices are not vertices of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct NonManifoldVertexCounts {
     /// With two umbrellas or more.
@@ -127,7 +127,7 @@ pub struct Undefined {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reason {
-    /// A component is no surface, and only surfaces have the figure.
+    /// A component is not a surface, and only surfaces have the figure.
     NonManifoldComponent,
     /// There is no face that bounds anything, and so no surface.
     NoFaces,

@@ -33,7 +33,7 @@ impl ComponentFacts {
         i64::from(self.vertices) - i64::from(self.edges) + i64::from(self.faces)
     }
 
-    /// The surface that the component is; nothing where it is not manifold.
+    /// The surface that the component is; `None` where it is not manifold.
     pub fn surface(&self) -> Option<Surface> {
         match (self.is_manifold, self.is_orientable) {
             (false, _) => None,
@@ -131,7 +131,7 @@ pub fn component_kinds(
     components: &Components,
     facts: &Column<ComponentId, ComponentFacts>,
 ) -> Vec<ComponentKind> {
-    // Loops that touch a component which is no surface are no figure of its row.
+    // Loops that touch a component which is not a surface do not count in its row.
     let row = |component: ComponentId| {
         let facts = facts[component];
         ComponentFacts { loops: if facts.is_manifold { facts.loops } else { 0 }, ..facts }

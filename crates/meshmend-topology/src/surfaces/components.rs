@@ -32,7 +32,7 @@ impl Components {
         (0..self.count()).map(ComponentId::new)
     }
 
-    /// The component of a vertex; nothing for an unreferenced one.
+    /// The component of a vertex; `None` for an unreferenced one.
     #[inline]
     pub fn of_vertex(&self, vertex: VertexId) -> Option<ComponentId> {
         let component = self.of_vertex[vertex];

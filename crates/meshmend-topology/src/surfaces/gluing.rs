@@ -1,10 +1,10 @@
 //! Which surface comes of a disc whose rim is glued to itself?
 //!
-//! Cut open into a disc, a surface is a polygon, and going once round it *spells* how it was glued: each letter stands
-//! for a side, a⁻¹ for the same side met the other way round, and a letter that comes once for a side that stays
-//! open. So a b a⁻¹ b⁻¹ is a torus, a b a⁻¹ b a Klein bottle, a a⁻¹ a sphere, and a b a⁻¹ c an annulus. The word tells the
-//! surface again: χ by counting the corners that become one, orientability by a letter that comes twice the same way
-//! round, and boundary loops by the open sides that follow one another.
+//! Cut open into a disc, a surface is a polygon, and going once round it *spells* how it was glued: each letter
+//! stands for a side, a⁻¹ for the same side met the other way round, and a letter that comes once for a side that
+//! stays open. So a b a⁻¹ b⁻¹ is a torus, a b a⁻¹ b a Klein bottle, a a⁻¹ a sphere, and a b a⁻¹ c an annulus. The
+//! word tells the surface again: χ by counting the corners that become one, orientability by a letter that comes
+//! twice the same way round, and boundary loops by the open sides that follow one another.
 //!
 //! *Source*: the classification theorem in its usual proof by gluing words; H. Seifert, W. Threlfall, *Lehrbuch der
 //! Topologie*, 1934, §38.
@@ -36,7 +36,7 @@ pub struct GluingWord {
 impl GluingWord {
     /// The word of sides with names of any kind, each with whether it is met the other way round.
     ///
-    /// Nothing where there is no side, or one comes more than twice.
+    /// `None` where there is no side, or one comes more than twice.
     ///
     /// ```
     /// # use meshmend_topology::{GluingWord, surface_name};
@@ -73,7 +73,7 @@ impl GluingWord {
     /// The word of a closed walk along edges, the last vertex joined to the first: the rim of a disc, by the vertices
     /// from which it was cut.
     ///
-    /// Edges that follow one another wherever they come are one side. Nothing where there is no edge, one comes more
+    /// Edges that follow one another wherever they come are one side. `None` where there is no edge, one comes more
     /// than twice, or a vertex follows itself.
     ///
     /// ```
@@ -161,13 +161,13 @@ fn classes(sets: &UnionFind<u32>, elements: impl Iterator<Item = u32>) -> usize 
 struct Rim {
     /// A number for each edge, by its ends.
     number: Vec<u32>,
-    /// Whether a side begins at a place: its vertex has not two edges of one kind, or there is no such vertex and it is
-    /// the lowest one.
+    /// Whether a side begins at a place: its vertex has not two edges of one kind, or there is no such vertex and it
+    /// is the lowest one.
     is_joint: Vec<bool>,
 }
 
 impl Rim {
-    /// Nothing where an edge comes more than twice, or a vertex follows itself.
+    /// `None` where an edge comes more than twice, or a vertex follows itself.
     fn of(walk: &[VertexId]) -> Option<Self> {
         let count = walk.len();
         let mut sorted: Vec<([VertexId; 2], usize)> = (0..count)

@@ -21,8 +21,8 @@ impl Reduction {
         Reduction { of_row: vec![None; row_count], budget }
     }
 
-    /// Adds a column of ascending rows and says whether it depends on those before it; nothing beyond the budget, after
-    /// which no other column may be added.
+    /// Adds a column of ascending rows and says whether it depends on those before it; `None` beyond the budget,
+    /// after which no other column may be added.
     pub(super) fn depends(&mut self, mut column: Vec<u32>) -> Option<bool> {
         loop {
             let Some(&largest) = column.last() else { return Some(true) };

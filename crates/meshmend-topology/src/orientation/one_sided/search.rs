@@ -112,7 +112,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Settles the nearest copy that is not settled, and reaches its neighbours; nothing where it is too far.
+    /// Settles the nearest copy that is not settled, and reaches its neighbours; `None` where it is too far.
     fn settle_next(&mut self, is_near: impl Fn(u64) -> bool) -> Result<Option<Copy>, Spent> {
         while let Some(Reverse((distance, copy))) = self.front.pop() {
             if distance > self.distance[copy as usize] {

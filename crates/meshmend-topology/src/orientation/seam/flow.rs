@@ -74,7 +74,7 @@ impl Flow {
         }
     }
 
-    /// The best set of a region's faces to turn; nothing beyond the budget.
+    /// The best set of a region's faces to turn; `None` beyond the budget.
     pub(super) fn best_turn(
         &mut self,
         sides: &Sides<'_>,

@@ -12,7 +12,7 @@ pub(super) enum Reach {
     Steps(u32),
 }
 
-/// A signed edge that clashes, and which of its two faces the side is told by.
+/// A signed edge that clashes, and which of its two faces says on which side it is.
 pub(super) type Seed = (u32, usize);
 
 /// Memory for searches through a graph.
