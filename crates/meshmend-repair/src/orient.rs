@@ -28,7 +28,7 @@
 //! | opposite duplicates | [`opposites`] |
 //! | the new mesh and the record | [`fates`], [`rebuilt`], [`record`], [`one_sided`] |
 
-use meshmend_core::{Connectivity, DefectKind, PolygonMesh};
+use meshmend_core::{Connectivity, DefectKind, FaceId, PolygonMesh};
 use meshmend_kernels::KernelTask;
 use meshmend_topology::TopologyReport;
 
@@ -58,9 +58,9 @@ pub use options::{Duplicates, NonOrientable, Orient, Side};
 
 use fates::Fates;
 use live_matching::{LiveMatching, pairs_as_stored};
-use outward::Nested;
+use outward::{NamedPatch, Nested};
 use patches::{Choice, Contradiction, Patches, Policy};
-use subject::{Oriented, Subject};
+use subject::Subject;
 
 impl Pass for Orient {
     fn kind(&self) -> PassKind {
@@ -116,6 +116,15 @@ impl KernelTask for Task<'_> {
     }
 }
 
+/// What the steps have found.
+struct Oriented {
+    fates: Fates,
+    /// The lowest face of each patch without a consistent orientation, ascending.
+    non_orientable: Vec<FaceId>,
+    /// What there is to say of patches that were to be turned outward.
+    outward: Vec<NamedPatch>,
+}
+
 impl Orient {
     /// Steps 1 to 3.
     fn oriented<K: Connectivity>(&self, subject: &Subject<'_, K>) -> Result<Oriented, PassError> {
@@ -145,12 +154,11 @@ impl Orient {
         subject: &Subject<'_, K>,
         fates: Fates,
     ) -> Result<Oriented, PassError> {
-        let Subject { kernel, mesh, context, stored, repeats } = subject;
-        let mut matching = LiveMatching::new(*kernel, stored, repeats.copies(), &fates);
-        let mut patches = Patches::new((*kernel, *mesh), repeats, self.policy(), fates);
+        let mut matching = LiveMatching::new(subject, &fates);
+        let mut patches = Patches::new(subject, self.policy(), fates);
         let mut pairs = matching.new_pairs(patches.fates());
         if self.non_orientable == NonOrientable::Cut {
-            pairs = seams::seams_last(*kernel, stored, pairs);
+            pairs = seams::seams_last(subject.kernel, &subject.stored, pairs);
         }
         loop {
             patches.join_across(&pairs);
@@ -158,14 +166,14 @@ impl Orient {
             if gone.is_empty() {
                 break;
             }
-            context.check_cancelled()?;
+            subject.context.check_cancelled()?;
             gone.into_iter().for_each(|face| matching.remove_face(face));
             pairs = matching.new_pairs(patches.fates());
         }
         let outward = match self.side {
             Side::Majority => Vec::new(),
-            Side::Outward => outward::judge(*kernel, mesh, &mut patches, Nested::Outward),
-            Side::OutwardNested => outward::judge(*kernel, mesh, &mut patches, Nested::Alternating),
+            Side::Outward => outward::judge(subject, &mut patches, Nested::Outward),
+            Side::OutwardNested => outward::judge(subject, &mut patches, Nested::Alternating),
         };
         let non_orientable = patches.non_orientable();
         Ok(Oriented { fates: patches.into_fates(), non_orientable, outward })
@@ -212,10 +220,9 @@ impl Orient {
 
 /// Step 1. One round is enough here: patches that merge without a flip unblock nothing.
 fn without_stored_duplicates<K: Connectivity>(subject: &Subject<'_, K>, fates: Fates) -> Fates {
-    let Subject { kernel, mesh, stored, repeats, .. } = subject;
     let policy = Policy { choice: Choice::AsStored, contradiction: Contradiction::Twists };
-    let mut patches = Patches::new((*kernel, *mesh), repeats, policy, fates);
-    patches.join_across(&pairs_as_stored(*kernel, stored, repeats.copies()));
+    let mut patches = Patches::new(subject, policy, fates);
+    patches.join_across(&pairs_as_stored(subject));
     patches.drop_duplicates();
     patches.into_fates()
 }

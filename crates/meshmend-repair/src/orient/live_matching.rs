@@ -3,6 +3,7 @@
 use meshmend_core::{Column, Connectivity, CornerId, EdgeId, FaceId};
 
 use super::fates::Fates;
+use super::subject::Subject;
 use crate::copies::Copies;
 use crate::matching::{Matching, StoredGroups, StoredUse, may_match, pairs_by_rank};
 use crate::stored_vertices::StoredVertices;
@@ -11,22 +12,20 @@ use crate::stored_vertices::StoredVertices;
 pub(super) type Pair = (CornerId, CornerId);
 
 /// The pairs of rule 1 among all faces.
-pub(super) fn pairs_as_stored<K: Connectivity>(
-    kernel: &K,
-    stored: &StoredVertices<'_>,
-    copies: Option<&Copies>,
-) -> Vec<Pair> {
+pub(super) fn pairs_as_stored<K: Connectivity>(subject: &Subject<'_, K>) -> Vec<Pair> {
+    let Subject { kernel, stored, .. } = subject;
+    let copies = subject.repeats.copies();
     let mut groups = StoredGroups::default();
     let mut pairs = Vec::new();
     for edge in kernel.edges() {
-        for group in groups.uses_of(kernel, stored, edge).chunk_by(|one, other| one.stored == other.stored) {
+        for group in groups.uses_of(*kernel, stored, edge).chunk_by(|one, other| one.stored == other.stored) {
             match group {
-                [one, other] if may_match(kernel, copies, one.corner, other.corner) => {
+                [one, other] if may_match(*kernel, copies, one.corner, other.corner) => {
                     pairs.push((one.corner, other.corner));
                 }
                 [_, _, _, ..] => {
                     let mut by_rank =
-                        copies.map_or(Vec::new(), |copies| pairs_by_rank(kernel, copies, group));
+                        copies.map_or(Vec::new(), |copies| pairs_by_rank(*kernel, copies, group));
                     by_rank.sort_unstable();
                     by_rank.dedup();
                     pairs.extend(by_rank);
@@ -86,12 +85,9 @@ impl<'a, K: Connectivity> LiveMatching<'a, K> {
     ///
     /// *Cost*: O(Σ d log d) over the degrees d of the edges; 8 bytes a corner and 4 an edge, and 16 for each side along
     /// an edge of three and more.
-    pub(super) fn new(
-        kernel: &'a K,
-        stored: &'a StoredVertices<'a>,
-        copies: Option<&'a Copies>,
-        fates: &Fates,
-    ) -> Self {
+    pub(super) fn new(subject: &'a Subject<'a, K>, fates: &Fates) -> Self {
+        let Subject { kernel, stored, repeats, .. } = subject;
+        let (kernel, copies) = (*kernel, repeats.copies());
         let edges_with_copies = copies.map_or(Vec::new(), |copies| edges_of(kernel, copies.faces()));
         let mut live = LiveMatching {
             kernel,

@@ -1,10 +1,11 @@
 //! Which patches could not be turned outward, and which walls of hollows were.
 
-use meshmend_core::{Connectivity, Defect, FaceId, PolygonMesh, Unjudged};
+use meshmend_core::{Connectivity, Defect, FaceId, Unjudged};
 
 use super::fates::Fates;
 use super::nesting;
 use super::patches::{OrientedPatch, Patches};
+use super::subject::Subject;
 
 /// Whether closed patches inside others are turned outward, too.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -45,8 +46,7 @@ impl NamedPatch {
 ///
 /// *Cost*: linear, and that of [`nesting::are_hollows`] if shells alternate or a closed patch was turned.
 pub(super) fn judge<K: Connectivity>(
-    kernel: &K,
-    mesh: &PolygonMesh,
+    subject: &Subject<'_, K>,
     patches: &mut Patches<'_, K>,
     nested: Nested,
 ) -> Vec<NamedPatch> {
@@ -62,7 +62,7 @@ pub(super) fn judge<K: Connectivity>(
     let mut named = Vec::new();
     if nested == Nested::Alternating || turned.contains(&true) {
         let faces: Vec<&[FaceId]> = closed.iter().map(|patch| patch.faces.as_slice()).collect();
-        let are_hollows = nesting::are_hollows(kernel, mesh, &faces, patches.fates());
+        let are_hollows = nesting::are_hollows(subject.kernel, subject.mesh, &faces, patches.fates());
         for place in (0..closed.len()).filter(|&place| are_hollows[place]) {
             let patch = closed[place];
             match nested {

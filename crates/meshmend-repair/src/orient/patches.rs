@@ -5,14 +5,14 @@
 
 use std::cmp::Reverse;
 
-use meshmend_core::{Connectivity, FaceId, Joined, PolygonMesh, Unjudged};
+use meshmend_core::{Connectivity, FaceId, Joined, Unjudged};
 use meshmend_geometry::SignedVolume;
 
 use super::fates::Fates;
 use super::live_matching::Pair;
 use super::ownership::Ownership;
 use super::patch_table::{Consistency, Patch, PatchTable, Piece};
-use super::repeats::Repeats;
+use super::subject::Subject;
 use crate::matching::run_the_same_way;
 
 /// How the orientation of a patch is chosen.
@@ -53,8 +53,7 @@ enum Event {
 
 /// The patches of the faces that stay.
 pub(super) struct Patches<'a, K> {
-    kernel: &'a K,
-    mesh: &'a PolygonMesh,
+    subject: &'a Subject<'a, K>,
     policy: Policy,
     table: PatchTable,
     /// Kept only if some faces have the same cycle: else no patch is a duplicate.
@@ -64,12 +63,8 @@ pub(super) struct Patches<'a, K> {
 
 impl<'a, K: Connectivity> Patches<'a, K> {
     /// Each face that stays a patch of its own.
-    pub(super) fn new(
-        (kernel, mesh): (&'a K, &'a PolygonMesh),
-        repeats: &'a Repeats,
-        policy: Policy,
-        fates: Fates,
-    ) -> Self {
+    pub(super) fn new(subject: &'a Subject<'a, K>, policy: Policy, fates: Fates) -> Self {
+        let Subject { kernel, repeats, .. } = subject;
         let count = kernel.face_count();
         let ownership = (!repeats.is_empty()).then(|| {
             let mut ownership = Ownership::new(repeats, count);
@@ -80,7 +75,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
             ownership
         });
         let table = PatchTable::new(count, |face| kernel.face_corners(face).count() as u32);
-        Patches { kernel, mesh, policy, table, ownership, fates }
+        Patches { subject, policy, table, ownership, fates }
     }
 
     pub(super) fn fates(&self) -> &Fates {
@@ -93,10 +88,11 @@ impl<'a, K: Connectivity> Patches<'a, K> {
 
     /// Joins patches across newly matched sides, and orients what has come together.
     pub(super) fn join_across(&mut self, pairs: &[Pair]) {
+        let kernel = self.subject.kernel;
         let mut events: Vec<(FaceId, Event)> = Vec::new();
         for &(one, other) in pairs {
-            let (f, g) = (self.kernel.corner_face(one), self.kernel.corner_face(other));
-            match self.table.join(f, g, run_the_same_way(self.kernel, one, other)) {
+            let (f, g) = (kernel.corner_face(one), kernel.corner_face(other));
+            match self.table.join(f, g, run_the_same_way(kernel, one, other)) {
                 Joined::Merged { root, .. } => events.push((root, Event::Merged)),
                 // A side that is matched may close its patch.
                 Joined::Agrees if self.policy.choice == Choice::Outward => events.push((f, Event::Closed)),
@@ -174,10 +170,15 @@ impl<'a, K: Connectivity> Patches<'a, K> {
         for piece in pieces {
             for face in self.table.faces(piece.root) {
                 let is_flipped = self.fates.is_flipped(face) ^ piece.is_reversed;
-                volume.add_face(self.mesh, self.kernel.face_corners(face), is_flipped);
+                self.add_to(&mut volume, face, is_flipped);
             }
         }
         volume
+    }
+
+    fn add_to(&self, volume: &mut SignedVolume, face: FaceId, is_flipped: bool) {
+        let Subject { kernel, mesh, .. } = self.subject;
+        volume.add_face(mesh, kernel.face_corners(face), is_flipped);
     }
 
     /// Whether most faces are reversed, or on a tie the lowest one.
@@ -263,7 +264,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
     /// sides is free. Asked only with [`Choice::Outward`].
     pub(super) fn oriented(&mut self) -> Vec<OrientedPatch> {
         let roots = self.roots();
-        let proper = roots.into_iter().filter(|&root| self.kernel.is_proper_face(root));
+        let proper = roots.into_iter().filter(|&root| self.subject.kernel.is_proper_face(root));
         let consistent = proper.filter(|&root| self.table.patch(root).consistency == Consistency::Consistent);
         let patch = |root| OrientedPatch {
             lowest: self.table.patch(root).lowest,
@@ -280,7 +281,7 @@ impl<'a, K: Connectivity> Patches<'a, K> {
         }
         let mut volume = SignedVolume::default();
         for &face in &patch.faces {
-            volume.add_face(self.mesh, self.kernel.face_corners(face), self.fates.is_flipped(face));
+            self.add_to(&mut volume, face, self.fates.is_flipped(face));
         }
         (volume.sign() == 0).then_some(Unjudged::NoVolume)
     }

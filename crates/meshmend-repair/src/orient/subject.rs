@@ -1,9 +1,7 @@
 //! What all steps of `orient` look at.
 
-use meshmend_core::{Connectivity, FaceId, PolygonMesh};
+use meshmend_core::{Connectivity, PolygonMesh};
 
-use super::fates::Fates;
-use super::outward::NamedPatch;
 use super::repeats::Repeats;
 use crate::Context;
 use crate::stored_vertices::StoredVertices;
@@ -23,13 +21,4 @@ impl<'a, K: Connectivity> Subject<'a, K> {
         let repeats = Repeats::of(kernel, mesh, context);
         Subject { kernel, mesh, context, stored, repeats }
     }
-}
-
-/// What the steps have found.
-pub(super) struct Oriented {
-    pub(super) fates: Fates,
-    /// The lowest face of each patch without a consistent orientation, ascending.
-    pub(super) non_orientable: Vec<FaceId>,
-    /// What there is to say of patches that were to be turned outward.
-    pub(super) outward: Vec<NamedPatch>,
 }
