@@ -104,3 +104,24 @@ impl Uses {
         (self.uses, Some((wrong, at)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_place_of_the_highest_index_counts() {
+        let mut max = MaxIndex::default();
+        assert_eq!((max.beyond(0), max.beyond(1)), (None, None));
+        for (index, at) in [(0, 7), (4, 8), (4, 9), (3, 10)] {
+            max.see(index, at);
+        }
+        assert_eq!((max.beyond(4), max.beyond(5)), (Some((4, 8)), None));
+        let mut later = MaxIndex::default();
+        later.see(4, 20);
+        max.see_all(later);
+        assert_eq!(max.beyond(0), Some((4, 8)));
+        max.see(u32::MAX, 30);
+        assert_eq!(max.beyond(u32::MAX as usize), Some((u32::MAX, 30)));
+    }
+}

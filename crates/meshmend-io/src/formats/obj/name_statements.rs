@@ -106,9 +106,11 @@ impl<'a> Runs<'a> {
         });
         let pool = Layer::direct(kind.layer, Domain::Face, 1, Carry::Copy, Values::Text(pool));
         let layers = NAMED.into_iter().zip(uses).filter_map(|(domain, mut uses)| {
-            let is_named = uses.iter().any(|&value| value != NO_VALUE);
-            uses.resize(elements.of(domain), NO_VALUE);
-            is_named.then(|| pool.over_same_values(kind.layer, domain, Carry::Copy, uses))
+            // Most files have no names: then no table of all elements is made.
+            uses.iter().any(|&value| value != NO_VALUE).then(|| {
+                uses.resize(elements.of(domain), NO_VALUE);
+                pool.over_same_values(kind.layer, domain, Carry::Copy, uses)
+            })
         });
         (layers.collect(), self.unused)
     }
