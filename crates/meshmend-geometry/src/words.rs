@@ -1,7 +1,7 @@
 //! Faces as cyclic words: folding spikes, and splitting at repeated letters.
 //!
 //! A word lists corners by their place in the face; two corners are the same letter when they stand at the same
-//! vertex. *Source*: the reference pipeline; the definitions are in the text on `clean`.
+//! vertex. *Source*: the reference pipeline; the definitions are in the semantics of repairs.
 
 use std::collections::VecDeque;
 

@@ -11,13 +11,13 @@
 
 mod apart;
 mod clean;
+mod clearance;
 mod compact;
 mod copies;
 mod emptied;
 mod emptied_names;
 mod figures;
 mod fixed;
-mod free_points;
 mod matching;
 mod orient;
 mod pass;
@@ -35,12 +35,13 @@ mod verify;
 mod weld;
 
 pub use clean::{Clean, NonFinite, Repeated};
+pub use clearance::{Clearance, Subdivision, Unused};
 pub use compact::{Compact, LooseElements};
 pub use emptied::{Emptied, Emptying, EmptyingCause};
 pub use emptied_names::{EmptiedName, emptied_names};
 pub use figures::Figures;
 pub use fixed::Fixed;
-pub use free_points::{Clearance, Precision, Subdivision, Unused};
+pub use meshmend_geometry::Precision;
 pub use meshmend_geometry::rounding::Rounding;
 pub use orient::{Duplicates, NonOrientable, Orient, Side};
 pub use pass::{Context, History, Outcome, Pass, PassError};

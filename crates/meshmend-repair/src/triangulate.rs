@@ -15,11 +15,11 @@
 //! defect. *Cost*: O(n³) for faces up to 64 corners, O(n²) up to 4096 and mostly n log n, O(n log n) beyond.
 
 use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh, distinct_count};
+use meshmend_geometry::FreePoints;
 use meshmend_geometry::vector::Point;
 use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
 use serde::{Deserialize, Serialize};
 
-use crate::free_points::FreePoints;
 use crate::{
     Clearance, Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Unused,
     Word,
@@ -132,7 +132,7 @@ impl BesideMesh<'_> {
             mesh.faces().corner_vertices().iter().for_each(|v| is_used[v.index()] = true);
             let is_in_result = |v: usize| clearance.unused == Unused::Kept || is_used[v];
             let vertices = mesh.positions().iter().enumerate().filter(|(v, _)| is_in_result(*v));
-            FreePoints::beside(clearance, vertices.map(|(_, &position)| position))
+            FreePoints::beside(clearance.separation(), vertices.map(|(_, &position)| position))
         })
     }
 }

@@ -1,93 +1,33 @@
 //! Where there is room for a new vertex.
 //!
-//! A new vertex must stay a vertex of its own when the result is read and welded once more. A point is *free* when no
-//! vertex of the result has that position once it is stored in the result's precision, nor is so near that the
-//! pipeline's weld would join the two.
+//! A new vertex must stay a vertex of its own when the result is stored, read and compared once more. A point is *free*
+//! when no vertex has that position once it is stored, and none is so near that the two would be taken for one.
 //!
 //! * On an edge or a diagonal: the first free point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way.
 //! * If none is free: the first free point beside the middle, along the axis in which the edge is shortest, one step
-//!   away, two steps away, and so on. A step is one unit in the last place, or twice the weld's tolerance. There always
+//!   away, two steps away, and so on. A step is one unit in the last place, or twice the tolerance. There always
 //!   is such a point.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use meshmend_geometry::proximity::Nearness;
-use meshmend_geometry::vector::{Point, is_finite, place_bits};
+use crate::Precision;
+use crate::proximity::Nearness;
+use crate::vector::{Point, is_finite, place_bits};
 
-/// How precisely the coordinates of a result are stored.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Precision {
-    /// As doubles.
-    #[default]
-    Double,
-    /// In single precision, as in binary STL.
-    Single,
-}
-
-impl Precision {
-    /// A point as it is read again when it was stored in this precision.
-    pub fn round(self, point: [f64; 3]) -> [f64; 3] {
-        match self {
-            Precision::Double => point,
-            Precision::Single => point.map(|x| f64::from(x as f32)),
-        }
-    }
-
-    /// The number so many units in the last place away.
-    fn moved(self, x: f64, steps: i64) -> f64 {
-        match self {
-            Precision::Double => {
-                let place = |bits: i64| if bits < 0 { i64::MIN.wrapping_sub(bits) } else { bits };
-                f64::from_bits(place(place(x.to_bits() as i64).saturating_add(steps)) as u64)
-            }
-            Precision::Single => {
-                let place = |bits: i32| if bits < 0 { i32::MIN.wrapping_sub(bits) } else { bits };
-                let steps = i32::try_from(steps).unwrap_or(if steps < 0 { i32::MIN } else { i32::MAX });
-                let moved = place((x as f32).to_bits() as i32).saturating_add(steps);
-                f64::from(f32::from_bits(place(moved) as u32))
-            }
-        }
-    }
-}
-
-/// What a pass that creates vertices keeps clear of, so that they are there when the result is read again.
+/// How far points have to be from each other so that they stay apart when they are stored, read and compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Clearance {
-    /// How precisely the result is stored.
+pub struct Separation {
+    /// How precisely points are stored.
     pub precision: Precision,
-    /// How precisely positions are told apart when the result is welded.
+    /// How precisely points are told apart when they are compared.
     pub apart: Precision,
-    /// Vertices within this distance of each other become one when the result is welded; 0 if only equal ones do.
+    /// Points within this distance of each other become one; 0 if only equal ones do.
     pub tolerance: f64,
-    /// What becomes of vertices that no face uses.
-    pub unused: Unused,
-    /// Where vertices go that tell edges apart.
-    pub subdivision: Subdivision,
 }
 
-/// Where the vertices go that are put into edges which would coincide.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Subdivision {
-    /// Those of edges at one place into one point: they are told apart by what names them.
-    #[default]
-    InOnePoint,
-    /// Each into a point of its own, as a later weld joins what is at one.
-    InOwnPoints,
-}
-
-/// What becomes of vertices that no face uses.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Unused {
-    /// They are part of the result.
-    #[default]
-    Kept,
-    /// They go, so that a new vertex may take their place.
-    Removed,
-}
-
-/// The vertices of the result so far, and where there is room beside them.
-pub(crate) struct FreePoints {
-    clearance: Clearance,
+/// Points that are taken, and where there is room beside them.
+pub struct FreePoints {
+    separation: Separation,
     taken: Taken,
     /// How many steps were tried in vain from a middle along an axis: what is taken stays taken.
     walked: BTreeMap<(Place, usize), u64>,
@@ -107,21 +47,21 @@ impl FreePoints {
     /// Beside these vertices.
     ///
     /// *Cost*: O(n log n).
-    pub(crate) fn beside(clearance: Clearance, vertices: impl Iterator<Item = Point>) -> Self {
-        let tolerance = clearance.tolerance;
+    pub fn beside(separation: Separation, vertices: impl Iterator<Item = Point>) -> Self {
+        let tolerance = separation.tolerance;
         let taken = if tolerance > 0.0 {
             let near = Nearness::within(tolerance);
             Taken::Cubes { cubes: BTreeMap::new(), near, side: 2.0 * tolerance }
         } else {
-            Taken::Places { places: BTreeSet::new(), apart: clearance.apart }
+            Taken::Places { places: BTreeSet::new(), apart: separation.apart }
         };
-        let mut free = FreePoints { clearance, taken, walked: BTreeMap::new() };
+        let mut free = FreePoints { separation, taken, walked: BTreeMap::new() };
         vertices.for_each(|vertex| free.taken.insert(vertex));
         free
     }
 
     /// The first free point on an edge, or beside it, which is then taken; and its place on the edge.
-    pub(crate) fn on_edge(&mut self, [low, high]: [Point; 2]) -> (Point, (u32, u32)) {
+    pub fn on_edge(&mut self, [low, high]: [Point; 2]) -> (Point, (u32, u32)) {
         if let Some((point, ratio)) = self.first_free([low, high]) {
             self.taken.insert(point);
             return (point, ratio);
@@ -134,23 +74,23 @@ impl FreePoints {
     }
 
     /// Whether some point on an edge is free.
-    pub(crate) fn is_room_on_edge(&self, ends: [Point; 2]) -> bool {
+    pub fn is_room_on_edge(&self, ends: [Point; 2]) -> bool {
         self.first_free(ends).is_some()
     }
 
     fn first_free(&self, ends: [Point; 2]) -> Option<(Point, (u32, u32))> {
         let mut last_two = [None; 2];
         ratios().find_map(|ratio| {
-            let point = self.clearance.precision.round(part_of_the_way(ends, ratio));
+            let point = self.separation.precision.round(part_of_the_way(ends, ratio));
             (is_finite(&point) && self.taken.is_free(point, &mut last_two)).then_some((point, ratio))
         })
     }
 
     /// The first free point so many steps from a middle along an axis.
     fn beside_middle(&mut self, middle: Point, axis: usize) -> Point {
-        let precision = self.clearance.precision;
+        let precision = self.separation.precision;
         let start = precision.round(middle);
-        // What is nowhere can't be welded, so that it is free.
+        // A point that is not finite equals nothing, so that it is free.
         if !is_finite(&start) {
             return start;
         }
@@ -160,7 +100,7 @@ impl FreePoints {
         loop {
             step += 1;
             for (side, last) in [1, -1].into_iter().zip(&mut last) {
-                let mut point = if self.clearance.tolerance > 0.0 { middle } else { start };
+                let mut point = if self.separation.tolerance > 0.0 { middle } else { start };
                 point[axis] = self.stepped(point[axis], side * step as i64);
                 let point = precision.round(point);
                 let is_new = place_bits(point) != place_bits(*last);
@@ -175,7 +115,7 @@ impl FreePoints {
     }
 
     fn stepped(&self, x: f64, steps: i64) -> f64 {
-        let Clearance { apart, tolerance, .. } = self.clearance;
+        let Separation { apart, tolerance, .. } = self.separation;
         if tolerance > 0.0 { x + steps as f64 * (2.0 * tolerance) } else { apart.moved(x, steps) }
     }
 }
@@ -200,7 +140,7 @@ impl Taken {
         match self {
             Taken::Places { places, apart } => {
                 let point = apart.round(point);
-                // What is beyond all numbers is welded to nothing.
+                // A point that is beyond single precision equals nothing.
                 !is_finite(&point) || !places.contains(&place_bits(point))
             }
             Taken::Cubes { cubes, near, side } => {
@@ -254,15 +194,15 @@ mod tests {
 
     const ENDS: [Point; 2] = [[0.0; 3], [8.0, 4.0, 4.0]];
 
-    fn clearance(precision: Precision, tolerance: f64) -> Clearance {
-        Clearance { precision, apart: precision, tolerance, ..Clearance::default() }
+    fn separation(precision: Precision, tolerance: f64) -> Separation {
+        Separation { precision, apart: precision, tolerance }
     }
 
     /// Where vertices that are equal in single precision are joined, a created one differs from all in that sense, and
     /// need not be rounded itself.
     #[test]
     fn what_is_told_apart_in_single_precision_needs_room_there() {
-        let apart = Clearance { apart: Precision::Single, ..Clearance::default() };
+        let apart = Separation { apart: Precision::Single, ..Separation::default() };
         let ends = [[1.0, 0.0, 0.0], [1.0 + 1e-9, 1e-9, 0.0]];
         let mut free = beside(apart, &ends);
         let found = free.on_edge(ends).0;
@@ -276,13 +216,13 @@ mod tests {
         assert_eq!(beside(apart, &ends).on_edge(ends), ([middle, 0.0, 0.0], (1, 2)));
     }
 
-    fn beside(clearance: Clearance, vertices: &[Point]) -> FreePoints {
-        FreePoints::beside(clearance, vertices.iter().copied())
+    fn beside(separation: Separation, vertices: &[Point]) -> FreePoints {
+        FreePoints::beside(separation, vertices.iter().copied())
     }
 
     #[test]
     fn an_edge_has_room_in_the_middle_then_at_a_third_and_so_on() {
-        let mut free = beside(Clearance::default(), &ENDS);
+        let mut free = beside(Separation::default(), &ENDS);
         let found: Vec<(Point, (u32, u32))> = (0..3).map(|_| free.on_edge(ENDS)).collect();
         assert_eq!(found[0], ([4.0, 2.0, 2.0], (1, 2)));
         assert_eq!([found[1].1, found[2].1], [(1, 3), (2, 3)]);
@@ -293,7 +233,7 @@ mod tests {
     fn where_the_ends_are_neighbours_among_numbers_there_is_room_beside_the_edge() {
         let up = 1.0f64.next_up();
         let ends = [[1.0, 1.0, 1.0], [up, 1.0, up]];
-        let mut free = beside(Clearance::default(), &ends);
+        let mut free = beside(Separation::default(), &ends);
         // The edge has no extent along the second axis.
         let beside_edge: Vec<Point> = (0..4).map(|_| free.on_edge(ends).0).collect();
         let middle = |y: f64| [1.0 + (up - 1.0) * 0.5, y, 1.0 + (up - 1.0) * 0.5];
@@ -306,11 +246,11 @@ mod tests {
     fn steps_lead_through_zero_and_past_numbers_that_are_too_large() {
         let tiny = f64::from_bits(1);
         let ends = [[0.0, -tiny, 0.0], [tiny, 0.0, 0.0]];
-        let mut free = beside(Clearance::default(), &ends);
+        let mut free = beside(Separation::default(), &ends);
         let heights: Vec<f64> = (0..3).map(|_| free.on_edge(ends).0[2]).collect();
         assert_eq!(heights, [tiny, -tiny, 2.0 * tiny]);
         let ends = [[f64::MAX; 3], [f64::MAX; 3]];
-        let mut free = beside(Clearance::default(), &ends);
+        let mut free = beside(Separation::default(), &ends);
         let found: Vec<f64> = (0..2).map(|_| free.on_edge(ends).0[0]).collect();
         assert_eq!(found, [f64::MAX.next_down(), f64::MAX.next_down().next_down()]);
     }
@@ -318,14 +258,14 @@ mod tests {
     #[test]
     fn an_edge_that_is_longer_than_any_number_has_a_middle() {
         let ends = [[-f64::MAX, 0.0, 0.0], [f64::MAX, 0.0, 0.0]];
-        let mut free = beside(Clearance::default(), &ends);
+        let mut free = beside(Separation::default(), &ends);
         assert_eq!(free.on_edge(ends).0, [0.0, f64::from_bits(1), 0.0]);
     }
 
     #[test]
     fn what_is_nowhere_is_free() {
         let ends = [[f64::NAN; 3], [1.0; 3]];
-        let mut free = beside(Clearance::default(), &ends);
+        let mut free = beside(Separation::default(), &ends);
         assert!(free.on_edge(ends).0[0].is_nan() && free.on_edge(ends).0[0].is_nan());
     }
 
@@ -333,7 +273,7 @@ mod tests {
     fn within_a_tolerance_nothing_is_free() {
         // 1/3 and 2/3 are as near to the ends as 1/2 is to the vertex that is there.
         let vertices = [ENDS[0], ENDS[1], [4.0, 2.0, 2.5]];
-        let found = |tolerance| beside(clearance(Precision::Double, tolerance), &vertices).on_edge(ENDS);
+        let found = |tolerance| beside(separation(Precision::Double, tolerance), &vertices).on_edge(ENDS);
         assert_eq!(found(0.4).1, (1, 2));
         assert_eq!(found(0.5).1, (1, 3));
         // Nothing on the edge is farther from its ends than 5: two tolerances beside the middle.
@@ -342,9 +282,9 @@ mod tests {
 
     #[test]
     fn all_points_that_were_taken_are_apart() {
-        let clearance = clearance(Precision::Double, 0.3);
+        let separation = separation(Precision::Double, 0.3);
         let near = Nearness::within(0.3);
-        let mut free = beside(clearance, &[[0.0; 3], [1.0, 0.0, 0.0]]);
+        let mut free = beside(separation, &[[0.0; 3], [1.0, 0.0, 0.0]]);
         let mut points = vec![[0.0; 3], [1.0, 0.0, 0.0]];
         for _ in 0..100 {
             let (point, _) = free.on_edge([[0.0; 3], [1.0, 0.0, 0.0]]);
@@ -357,16 +297,16 @@ mod tests {
     fn points_are_rounded_before_it_is_asked_whether_they_are_free() {
         let up = f64::from(1.0f32.next_up());
         let ends = [[1.0, 0.0, 0.0], [up, 0.0, 0.0]];
-        let double = beside(Clearance::default(), &ends).on_edge(ends);
+        let double = beside(Separation::default(), &ends).on_edge(ends);
         assert_eq!(double.1, (1, 2));
-        let mut free = beside(clearance(Precision::Single, 0.0), &ends);
+        let mut free = beside(separation(Precision::Single, 0.0), &ends);
         let tiny = f64::from(f32::from_bits(1));
         // Of the two numbers beside the middle the one whose last bit is 0.
         assert_eq!(free.on_edge(ends).0, [1.0, tiny, 0.0]);
         assert_eq!(free.on_edge(ends).0, [1.0, -tiny, 0.0]);
         // A step of less than a unit in the last place leads nowhere until there are enough of them.
         let wide = [[1e6, 0.0, 0.0], [1e6, 0.0, 1e-3]];
-        let mut free = beside(clearance(Precision::Single, 1e-3), &wide);
+        let mut free = beside(separation(Precision::Single, 1e-3), &wide);
         let (point, _) = free.on_edge(wide);
         assert_eq!(Precision::Single.round(point), point);
         assert!(point[0] > 1e6, "{point:?}");

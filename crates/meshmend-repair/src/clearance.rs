@@ -1,0 +1,45 @@
+//! What passes that create vertices keep clear of.
+
+use meshmend_geometry::{Precision, Separation};
+
+/// What a pass that creates vertices keeps clear of, so that they are there when the result is read again.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Clearance {
+    /// How precisely the result is stored.
+    pub precision: Precision,
+    /// How precisely positions are told apart when the result is welded.
+    pub apart: Precision,
+    /// Vertices within this distance of each other become one when the result is welded; 0 if only equal ones do.
+    pub tolerance: f64,
+    /// What becomes of vertices that no face uses.
+    pub unused: Unused,
+    /// Where vertices go that tell edges apart.
+    pub subdivision: Subdivision,
+}
+
+/// Where the vertices go that are put into edges which would coincide.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Subdivision {
+    /// Those of edges at one place into one point: they are told apart by what names them.
+    #[default]
+    InOnePoint,
+    /// Each into a point of its own, as a later weld joins what is at one.
+    InOwnPoints,
+}
+
+/// What becomes of vertices that no face uses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Unused {
+    /// They are part of the result.
+    #[default]
+    Kept,
+    /// They go, so that a new vertex may take their place.
+    Removed,
+}
+
+impl Clearance {
+    /// How far a created vertex has to be from all others.
+    pub(crate) fn separation(&self) -> Separation {
+        Separation { precision: self.precision, apart: self.apart, tolerance: self.tolerance }
+    }
+}
