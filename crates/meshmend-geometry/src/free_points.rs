@@ -16,7 +16,7 @@ use crate::vector::{Point, is_finite, place_bits};
 
 /// How far points have to be from each other so that they stay apart when they are stored, read and compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Separation {
+pub struct Spacing {
     /// How precisely points are stored.
     pub precision: Precision,
     /// How precisely points are told apart when they are compared.
@@ -27,7 +27,7 @@ pub struct Separation {
 
 /// Points that are taken, and where there is room beside them.
 pub struct FreePoints {
-    separation: Separation,
+    spacing: Spacing,
     taken: Taken,
     /// How many steps were tried in vain from a middle along an axis: what is taken stays taken.
     walked: BTreeMap<(Place, usize), u64>,
@@ -47,15 +47,15 @@ impl FreePoints {
     /// Beside these vertices.
     ///
     /// *Cost*: O(n log n).
-    pub fn beside(separation: Separation, vertices: impl Iterator<Item = Point>) -> Self {
-        let tolerance = separation.tolerance;
+    pub fn beside(spacing: Spacing, vertices: impl Iterator<Item = Point>) -> Self {
+        let tolerance = spacing.tolerance;
         let taken = if tolerance > 0.0 {
             let near = Nearness::within(tolerance);
             Taken::Cubes { cubes: BTreeMap::new(), near, side: 2.0 * tolerance }
         } else {
-            Taken::Places { places: BTreeSet::new(), apart: separation.apart }
+            Taken::Places { places: BTreeSet::new(), apart: spacing.apart }
         };
-        let mut free = FreePoints { separation, taken, walked: BTreeMap::new() };
+        let mut free = FreePoints { spacing, taken, walked: BTreeMap::new() };
         vertices.for_each(|vertex| free.taken.insert(vertex));
         free
     }
@@ -81,14 +81,14 @@ impl FreePoints {
     fn first_free(&self, ends: [Point; 2]) -> Option<(Point, (u32, u32))> {
         let mut last_two = [None; 2];
         ratios().find_map(|ratio| {
-            let point = self.separation.precision.round(part_of_the_way(ends, ratio));
+            let point = self.spacing.precision.round(part_of_the_way(ends, ratio));
             (is_finite(&point) && self.taken.is_free(point, &mut last_two)).then_some((point, ratio))
         })
     }
 
     /// The first free point so many steps from a middle along an axis.
     fn beside_middle(&mut self, middle: Point, axis: usize) -> Point {
-        let precision = self.separation.precision;
+        let precision = self.spacing.precision;
         let start = precision.round(middle);
         // A point that is not finite equals nothing, so that it is free.
         if !is_finite(&start) {
@@ -100,7 +100,7 @@ impl FreePoints {
         loop {
             step += 1;
             for (side, last) in [1, -1].into_iter().zip(&mut last) {
-                let mut point = if self.separation.tolerance > 0.0 { middle } else { start };
+                let mut point = if self.spacing.tolerance > 0.0 { middle } else { start };
                 point[axis] = self.stepped(point[axis], side * step as i64);
                 let point = precision.round(point);
                 let is_new = place_bits(point) != place_bits(*last);
@@ -115,7 +115,7 @@ impl FreePoints {
     }
 
     fn stepped(&self, x: f64, steps: i64) -> f64 {
-        let Separation { apart, tolerance, .. } = self.separation;
+        let Spacing { apart, tolerance, .. } = self.spacing;
         if tolerance > 0.0 { x + steps as f64 * (2.0 * tolerance) } else { apart.moved(x, steps) }
     }
 }
@@ -194,15 +194,15 @@ mod tests {
 
     const ENDS: [Point; 2] = [[0.0; 3], [8.0, 4.0, 4.0]];
 
-    fn separation(precision: Precision, tolerance: f64) -> Separation {
-        Separation { precision, apart: precision, tolerance }
+    fn spacing(precision: Precision, tolerance: f64) -> Spacing {
+        Spacing { precision, apart: precision, tolerance }
     }
 
     /// Where vertices that are equal in single precision are joined, a created one differs from all in that sense, and
     /// need not be rounded itself.
     #[test]
     fn what_is_told_apart_in_single_precision_needs_room_there() {
-        let apart = Separation { apart: Precision::Single, ..Separation::default() };
+        let apart = Spacing { apart: Precision::Single, ..Spacing::default() };
         let ends = [[1.0, 0.0, 0.0], [1.0 + 1e-9, 1e-9, 0.0]];
         let mut free = beside(apart, &ends);
         let found = free.on_edge(ends).0;
@@ -216,13 +216,13 @@ mod tests {
         assert_eq!(beside(apart, &ends).on_edge(ends), ([middle, 0.0, 0.0], (1, 2)));
     }
 
-    fn beside(separation: Separation, vertices: &[Point]) -> FreePoints {
-        FreePoints::beside(separation, vertices.iter().copied())
+    fn beside(spacing: Spacing, vertices: &[Point]) -> FreePoints {
+        FreePoints::beside(spacing, vertices.iter().copied())
     }
 
     #[test]
     fn an_edge_has_room_in_the_middle_then_at_a_third_and_so_on() {
-        let mut free = beside(Separation::default(), &ENDS);
+        let mut free = beside(Spacing::default(), &ENDS);
         let found: Vec<(Point, (u32, u32))> = (0..3).map(|_| free.on_edge(ENDS)).collect();
         assert_eq!(found[0], ([4.0, 2.0, 2.0], (1, 2)));
         assert_eq!([found[1].1, found[2].1], [(1, 3), (2, 3)]);
@@ -233,7 +233,7 @@ mod tests {
     fn where_the_ends_are_neighbours_among_numbers_there_is_room_beside_the_edge() {
         let up = 1.0f64.next_up();
         let ends = [[1.0, 1.0, 1.0], [up, 1.0, up]];
-        let mut free = beside(Separation::default(), &ends);
+        let mut free = beside(Spacing::default(), &ends);
         // The edge has no extent along the second axis.
         let beside_edge: Vec<Point> = (0..4).map(|_| free.on_edge(ends).0).collect();
         let middle = |y: f64| [1.0 + (up - 1.0) * 0.5, y, 1.0 + (up - 1.0) * 0.5];
@@ -246,11 +246,11 @@ mod tests {
     fn steps_lead_through_zero_and_past_numbers_that_are_too_large() {
         let tiny = f64::from_bits(1);
         let ends = [[0.0, -tiny, 0.0], [tiny, 0.0, 0.0]];
-        let mut free = beside(Separation::default(), &ends);
+        let mut free = beside(Spacing::default(), &ends);
         let heights: Vec<f64> = (0..3).map(|_| free.on_edge(ends).0[2]).collect();
         assert_eq!(heights, [tiny, -tiny, 2.0 * tiny]);
         let ends = [[f64::MAX; 3], [f64::MAX; 3]];
-        let mut free = beside(Separation::default(), &ends);
+        let mut free = beside(Spacing::default(), &ends);
         let found: Vec<f64> = (0..2).map(|_| free.on_edge(ends).0[0]).collect();
         assert_eq!(found, [f64::MAX.next_down(), f64::MAX.next_down().next_down()]);
     }
@@ -258,14 +258,14 @@ mod tests {
     #[test]
     fn an_edge_that_is_longer_than_any_number_has_a_middle() {
         let ends = [[-f64::MAX, 0.0, 0.0], [f64::MAX, 0.0, 0.0]];
-        let mut free = beside(Separation::default(), &ends);
+        let mut free = beside(Spacing::default(), &ends);
         assert_eq!(free.on_edge(ends).0, [0.0, f64::from_bits(1), 0.0]);
     }
 
     #[test]
     fn what_is_nowhere_is_free() {
         let ends = [[f64::NAN; 3], [1.0; 3]];
-        let mut free = beside(Separation::default(), &ends);
+        let mut free = beside(Spacing::default(), &ends);
         assert!(free.on_edge(ends).0[0].is_nan() && free.on_edge(ends).0[0].is_nan());
     }
 
@@ -273,7 +273,7 @@ mod tests {
     fn within_a_tolerance_nothing_is_free() {
         // 1/3 and 2/3 are as near to the ends as 1/2 is to the vertex that is there.
         let vertices = [ENDS[0], ENDS[1], [4.0, 2.0, 2.5]];
-        let found = |tolerance| beside(separation(Precision::Double, tolerance), &vertices).on_edge(ENDS);
+        let found = |tolerance| beside(spacing(Precision::Double, tolerance), &vertices).on_edge(ENDS);
         assert_eq!(found(0.4).1, (1, 2));
         assert_eq!(found(0.5).1, (1, 3));
         // Nothing on the edge is farther from its ends than 5: two tolerances beside the middle.
@@ -282,9 +282,9 @@ mod tests {
 
     #[test]
     fn all_points_that_were_taken_are_apart() {
-        let separation = separation(Precision::Double, 0.3);
+        let spacing = spacing(Precision::Double, 0.3);
         let near = Nearness::within(0.3);
-        let mut free = beside(separation, &[[0.0; 3], [1.0, 0.0, 0.0]]);
+        let mut free = beside(spacing, &[[0.0; 3], [1.0, 0.0, 0.0]]);
         let mut points = vec![[0.0; 3], [1.0, 0.0, 0.0]];
         for _ in 0..100 {
             let (point, _) = free.on_edge([[0.0; 3], [1.0, 0.0, 0.0]]);
@@ -297,16 +297,16 @@ mod tests {
     fn points_are_rounded_before_it_is_asked_whether_they_are_free() {
         let up = f64::from(1.0f32.next_up());
         let ends = [[1.0, 0.0, 0.0], [up, 0.0, 0.0]];
-        let double = beside(Separation::default(), &ends).on_edge(ends);
+        let double = beside(Spacing::default(), &ends).on_edge(ends);
         assert_eq!(double.1, (1, 2));
-        let mut free = beside(separation(Precision::Single, 0.0), &ends);
+        let mut free = beside(spacing(Precision::Single, 0.0), &ends);
         let tiny = f64::from(f32::from_bits(1));
         // Of the two numbers beside the middle the one whose last bit is 0.
         assert_eq!(free.on_edge(ends).0, [1.0, tiny, 0.0]);
         assert_eq!(free.on_edge(ends).0, [1.0, -tiny, 0.0]);
         // A step of less than a unit in the last place leads nowhere until there are enough of them.
         let wide = [[1e6, 0.0, 0.0], [1e6, 0.0, 1e-3]];
-        let mut free = beside(separation(Precision::Single, 1e-3), &wide);
+        let mut free = beside(spacing(Precision::Single, 1e-3), &wide);
         let (point, _) = free.on_edge(wide);
         assert_eq!(Precision::Single.round(point), point);
         assert!(point[0] > 1e6, "{point:?}");

@@ -25,6 +25,6 @@ pub mod words;
 pub use bounds::diagonal;
 pub use edge_lengths::edge_lengths;
 pub use face_cutter::{FaceCutter, OnDiagonal, Room};
-pub use free_points::{FreePoints, Separation};
+pub use free_points::{FreePoints, Spacing};
 pub use precision::Precision;
 pub use signed_volume::SignedVolume;

@@ -1,6 +1,6 @@
 //! What passes that create vertices keep clear of.
 
-use meshmend_geometry::{Precision, Separation};
+use meshmend_geometry::{Precision, Spacing};
 
 /// What a pass that creates vertices keeps clear of, so that they are there when the result is read again.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -39,7 +39,7 @@ pub enum Unused {
 
 impl Clearance {
     /// How far a created vertex has to be from all others.
-    pub(crate) fn separation(&self) -> Separation {
-        Separation { precision: self.precision, apart: self.apart, tolerance: self.tolerance }
+    pub(crate) fn spacing(&self) -> Spacing {
+        Spacing { precision: self.precision, apart: self.apart, tolerance: self.tolerance }
     }
 }

@@ -132,7 +132,7 @@ impl BesideMesh<'_> {
             mesh.faces().corner_vertices().iter().for_each(|v| is_used[v.index()] = true);
             let is_in_result = |v: usize| clearance.unused == Unused::Kept || is_used[v];
             let vertices = mesh.positions().iter().enumerate().filter(|(v, _)| is_in_result(*v));
-            FreePoints::beside(clearance.separation(), vertices.map(|(_, &position)| position))
+            FreePoints::beside(clearance.spacing(), vertices.map(|(_, &position)| position))
         })
     }
 }

@@ -50,7 +50,7 @@ pub(crate) fn subdivide<K: Connectivity>(
     // A vertex that `compact` removes, since no face uses it, must not decide where others go.
     let is_in_result = |v| clearance.unused == Unused::Kept || kernel.is_referenced(v);
     let parts = vertices.present.iter().zip(&vertices.positions).filter(|(v, _)| is_in_result(**v));
-    let mut free = FreePoints::beside(clearance.separation(), parts.map(|(_, &position)| position));
+    let mut free = FreePoints::beside(clearance.spacing(), parts.map(|(_, &position)| position));
     for edge in inserted.edges.clone() {
         let ends = kernel.edge_ends(edge).map(|v| mesh.position(v));
         let mut shared = None;
