@@ -7,6 +7,8 @@
 mod commands;
 mod console;
 mod failure;
+mod format_words;
+mod output_words;
 mod outputs;
 mod policies;
 mod progress;

@@ -9,8 +9,8 @@ use meshmend::formats::{Prepared, ReadErrorKind, WriteError, read_stream, replac
 use meshmend::{Format, Loss, PolygonMesh, ReadFile, ReadOptions, WriteOptions};
 
 use crate::console::Console;
-use crate::failure::{Failure, Status};
-use crate::words;
+use crate::failure::Failure;
+use crate::format_words;
 
 /// What standard input is called in reports and messages.
 const INPUT: &str = "standard input";
@@ -21,7 +21,7 @@ const OUTPUT: &str = "standard output";
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct InputWords {
     /// The format of the input, whatever its name and content
-    #[arg(long = "from", value_name = "FORMAT", value_parser = words::format)]
+    #[arg(long = "from", value_name = "FORMAT", value_parser = format_words::format)]
     from: Option<Format>,
 }
 
@@ -126,15 +126,4 @@ pub(crate) fn write_with(
 ) -> Result<(), Failure> {
     let written = if is_stream(output) { console.send(write) } else { replace_file(output, write) };
     written.map_err(|error| Failure::unwritable(&output_name(output), error))
-}
-
-/// The failure when an output's format is not told.
-pub(crate) fn format_is_not_told(output: &Path) -> Failure {
-    let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
-    let why = match is_stream(output) {
-        true => "--to must tell the format",
-        false => "the name tells no format that can be written",
-    };
-    let message = format!("{}: {why}; known are {}", output_name(output), names.join(", "));
-    Failure { status: Status::Usage, message }
 }

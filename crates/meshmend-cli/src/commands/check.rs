@@ -9,6 +9,7 @@ use meshmend::{CheckOptions, CheckReport, DefectKind, KernelKind, Rules, View, c
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::format_words;
 use crate::render;
 use crate::streams::{InputWords, name};
 use crate::words::{self, Welding};
@@ -18,7 +19,7 @@ use crate::words::{self, Welding};
 /// Files are judged as stored, by index; STL, which has no indices, as welded exactly. A check changes nothing.
 #[derive(Debug, Args)]
 pub(crate) struct Check {
-    #[arg(help = words::inputs_help(), required = true, value_name = "FILE")]
+    #[arg(help = format_words::inputs_help(), required = true, value_name = "FILE")]
     pub(super) files: Vec<PathBuf>,
     #[command(flatten)]
     from: InputWords,

@@ -8,10 +8,10 @@ use meshmend::{Format, PolygonMesh, ReadFile, WriteOptions};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
 use crate::render;
 use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh};
-use crate::words::OutputWords;
 
 /// Write a mesh in another format, and say what that format can't carry
 ///

@@ -11,10 +11,10 @@ use super::check::json_line;
 use super::loops::{LoopWords, failure};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
 use crate::render;
 use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh};
-use crate::words::OutputWords;
 
 /// Cut every surface open into a disc, and say how its rim is glued to itself
 ///
@@ -22,7 +22,7 @@ use crate::words::OutputWords;
 /// surface is refused. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Cut {
-    #[arg(help = crate::words::input_help(), value_name = "IN")]
+    #[arg(help = crate::format_words::input_help(), value_name = "IN")]
     pub(super) input: PathBuf,
     /// The file to write; it may be the input; `-` is standard output
     #[arg(short, long, value_name = "OUT")]

@@ -11,10 +11,10 @@ use super::check::json_line;
 use super::loops;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
 use crate::render;
 use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh, write_with};
-use crate::words::OutputWords;
 
 /// Lay surfaces out in the unit square, cut open where they are no discs
 ///
@@ -22,7 +22,7 @@ use crate::words::OutputWords;
 /// found exactly, and told. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Flatten {
-    #[arg(help = crate::words::input_help(), value_name = "IN")]
+    #[arg(help = crate::format_words::input_help(), value_name = "IN")]
     pub(super) input: PathBuf,
     /// The file to write: a mesh, or a picture named `.svg`; `-` is standard output, for a mesh
     #[arg(short, long, value_name = "OUT")]

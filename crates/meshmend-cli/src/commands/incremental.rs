@@ -9,6 +9,7 @@ use meshmend::report::IncrementalDocument;
 use super::check::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::format_words;
 use crate::outputs::{Content, Files};
 use crate::render;
 use crate::streams::{InputWords, Report, name, reserve, write_with};
@@ -21,7 +22,7 @@ use crate::words::{self, Welding};
 /// numbers are the Betti numbers mod 2 of what is there, and in the end those that `check` gives.
 #[derive(Debug, Args)]
 pub(crate) struct Incremental {
-    #[arg(help = words::input_help(), value_name = "FILE")]
+    #[arg(help = format_words::input_help(), value_name = "FILE")]
     pub(super) file: PathBuf,
     #[command(flatten)]
     from: InputWords,

@@ -12,6 +12,7 @@ use meshmend::{Format, KernelCost, KernelKind, KernelTask, PolygonMesh, View};
 use super::check::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::format_words;
 use crate::render::{self, Trial};
 use crate::streams::{InputWords, name};
 use crate::words::{self, Welding};
@@ -23,7 +24,7 @@ pub(crate) struct Kernels {
     #[arg(value_name = "FILE")]
     pub(super) file: Option<PathBuf>,
     /// The format of the input, whatever its name and content
-    #[arg(long, value_name = "FORMAT", value_parser = words::format, requires = "file")]
+    #[arg(long, value_name = "FORMAT", value_parser = format_words::format, requires = "file")]
     from: Option<Format>,
     /// Look at the mesh as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding, requires = "file")]

@@ -21,7 +21,7 @@ use crate::streams::{InputWords, name};
 /// and the reason is told. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Loops {
-    #[arg(help = crate::words::input_help(), value_name = "FILE")]
+    #[arg(help = crate::format_words::input_help(), value_name = "FILE")]
     pub(super) file: PathBuf,
     #[command(flatten)]
     from: InputWords,

@@ -7,9 +7,10 @@ use meshmend::shapes::{NamedShape, Shape, ShapeError, Sizes};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::output_words::OutputWords;
 use crate::render;
 use crate::streams::{Report, output_name, reserve, write_mesh};
-use crate::words::{self, OutputWords};
+use crate::words;
 
 /// Write a mesh whose every figure is known: surfaces of any kind, and complexes that branch
 ///

@@ -11,6 +11,7 @@ use meshmend_render::{
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::format_words;
 use crate::outputs::{Content, Files};
 use crate::render;
 use crate::streams::{InputWords, Report, is_stream, name, output_name, reserve, write_with};
@@ -21,7 +22,7 @@ use crate::words::{self, Welding};
 /// What passes behind faces is drawn pale and thin. Backs of faces are bluish and hatched.
 #[derive(Debug, Args)]
 pub(crate) struct Render {
-    #[arg(help = words::input_help(), value_name = "FILE")]
+    #[arg(help = format_words::input_help(), value_name = "FILE")]
     pub(super) input: PathBuf,
     /// The file to write, named `.svg` or `.png`; `-` is standard output
     #[arg(short, long, value_name = "PICTURE")]

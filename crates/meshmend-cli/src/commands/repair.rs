@@ -15,18 +15,20 @@ use meshmend::{
 use super::check::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::format_words;
+use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
 use crate::policies::Policies;
 use crate::render::{self, Style};
 use crate::streams::{InputWords, Report, is_stream, name, output_name, reserve, write_prepared};
-use crate::words::{self, OutputWords};
+use crate::words;
 
 /// Mend a mesh: make it manifold, consistently oriented and free of rubbish, and name all that was done
 ///
 /// No face is removed that is not degenerate, non-finite or there twice. The output appears whole or not at all.
 #[derive(Debug, Args)]
 pub(crate) struct Repair {
-    #[arg(help = words::input_help(), value_name = "IN")]
+    #[arg(help = format_words::input_help(), value_name = "IN")]
     pub(super) input: PathBuf,
     /// The file to write; it may be the input; `-` is standard output, and the report goes to standard error
     #[arg(short, long, value_name = "OUT", required_unless_present = "dry_run")]
@@ -228,7 +230,7 @@ impl Repair {
         }
         document.output = Some(output_name(path));
         if let Some(after) = &mut document.after {
-            (after.file, after.format) = (document.output.clone(), words::variant(options));
+            (after.file, after.format) = (document.output.clone(), format_words::variant(options));
         }
     }
 
