@@ -95,8 +95,8 @@ impl Program {
         Program { passes, ..self }
     }
 
-    /// Does what a command line says; the first argument is the name of the program. What went wrong is told on the
-    /// console's stream for errors.
+    /// Does what a command line says; the first argument is the name of the program. Errors are written to the console's
+    /// stream for errors.
     pub fn run(
         &self,
         arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
@@ -129,7 +129,7 @@ impl Program {
     }
 }
 
-/// What [`run`] takes, for those who want to go through it.
+/// The commands and options that [`run`] takes.
 pub fn description() -> clap::Command {
     Program::default().description()
 }

@@ -87,7 +87,7 @@ impl Named<'_> {
         Failure::usage(format!("{} {reason}", self.shown()))
     }
 
-    /// Fails when something that is no mesh has the name of one.
+    /// Fails when a picture or a report has the name of a mesh.
     fn check_name(&self) -> Result<(), Failure> {
         match Format::from_path(self.path) {
             Some(format) if self.content != Content::Mesh => {
@@ -98,7 +98,7 @@ impl Named<'_> {
         }
     }
 
-    /// Fails when something that is no mesh is to take the place of one.
+    /// Fails when a picture or a report would take the place of a mesh.
     fn check_place(&self) -> Result<(), Failure> {
         match format_of_content(self.path) {
             Some(format) if self.content != Content::Mesh => {
@@ -109,7 +109,7 @@ impl Named<'_> {
     }
 }
 
-/// The format that a file surely has by its first bytes. What is no regular file, or can't be read, has none.
+/// The format that a file surely has by its first bytes; `None` if it is not a regular file, or can't be read.
 fn format_of_content(path: &Path) -> Option<Format> {
     const HEAD: u64 = 1 << 16;
     let is_file = fs::metadata(path).is_ok_and(|status| status.is_file());
@@ -124,13 +124,13 @@ fn format_of_content(path: &Path) -> Option<Format> {
 enum Identity {
     /// A file that is there, by the numbers of its device and of itself, or else by its whole name.
     There(u64, u64, PathBuf),
-    /// A file that is still to be made, by its folder and its name. Names that differ in nothing but case count as one,
+    /// A file that is still to be made, by its folder and its name. Names that differ only in case count as one,
     /// which they are to some file systems.
     New(Box<Identity>, String),
 }
 
 impl Identity {
-    /// The identity of a file that holds what is written to it; none of devices and pipes.
+    /// The identity of a file that holds what is written to it; `None` for devices and pipes.
     fn of(path: &Path) -> Option<Self> {
         match fs::metadata(path) {
             Ok(status) if status.is_file() => Some(Self::there(path, &status)),

@@ -11,7 +11,7 @@ use crate::render::printable;
 const PATIENCE: Duration = Duration::from_secs(1);
 const TICK: Duration = Duration::from_millis(100);
 
-/// How far a command is. Nothing is shown in the first second, nor where nobody watches.
+/// How far a command is. It is shown after the first second, if standard error is a terminal.
 pub(crate) struct Progress {
     bar: ProgressBar,
     watch: Option<Watch>,
@@ -24,7 +24,7 @@ struct Watch {
 }
 
 impl Progress {
-    /// The progress of work in so many steps, for somebody who watches standard error.
+    /// The progress of work in so many steps, shown on standard error.
     pub(crate) fn shown(steps: usize) -> Self {
         let mut progress = Progress::hidden(steps);
         progress.watch = Watch::over(&progress.bar);

@@ -50,7 +50,7 @@ mod unix {
     }
 
     /// The signals that the process was started to ignore, as bits from that of signal 1 on: all that `nohup` and shells
-    /// without job control say. Where the system does not tell, none but SIGHUP, which `nohup` is for.
+    /// without job control say. If the system does not say, only SIGHUP counts as ignored, which `nohup` is for.
     fn ignored_signals() -> u64 {
         let told = fs::read_to_string("/proc/self/status").ok().and_then(|status| {
             let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"))?;

@@ -11,7 +11,7 @@ use crate::streams::is_stream;
 /// The work for smaller files is done before many threads have started.
 const LARGE: u64 = 1 << 20;
 
-/// The threads that work, or none but those that the caller has.
+/// The threads that work: a pool of its own, or those of the caller.
 pub(crate) struct Pool(Option<ThreadPool>);
 
 impl Pool {

@@ -5,7 +5,7 @@ use meshmend::{DefectKind, Distance, KernelKind, Rules, View};
 
 use crate::failure::Failure;
 
-/// What `--weld` can say: nothing is welded, or within which distance.
+/// What `--weld` can say: not to weld, or within which distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Welding {
     Off,
@@ -59,7 +59,7 @@ pub(crate) fn kernel(word: &str) -> Result<KernelKind, String> {
 pub(crate) fn defect_kind(rules: Rules, word: &str) -> Result<DefectKind, Failure> {
     rules.kind(word).ok_or_else(|| {
         let codes: Vec<&str> = rules.kinds().map(DefectKind::code).collect();
-        Failure::usage(format!("`{word}` is no kind of defect; the kinds are {}", codes.join(", ")))
+        Failure::usage(format!("there is no kind of defect `{word}`; the kinds are {}", codes.join(", ")))
     })
 }
 

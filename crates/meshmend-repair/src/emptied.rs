@@ -63,7 +63,7 @@ impl fmt::Display for EmptyingCause {
 }
 
 impl Emptied {
-    /// Why passes left nothing of a mesh, whose faces they removed one and all.
+    /// Why passes removed all faces of a mesh.
     pub(crate) fn by(passes: &[AnyPass], stored: &PolygonMesh, repaired: &Repaired) -> Self {
         let mut causes: Vec<EmptyingCause> = Vec::new();
         for removed in &repaired.removed_faces {

@@ -10,7 +10,7 @@ use crate::Repaired;
 /// The layers whose names stand for parts of a mesh.
 const NAMED: [&str; 5] = ["object", "group", "material", "solid", "part"];
 
-/// A name that elements had as stored, none of which is left.
+/// A name that elements had as stored, and no element of the result has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EmptiedName {
     /// What it names: `object`, `group`, `material`, `solid` or `part`.
@@ -29,7 +29,7 @@ pub struct EmptiedName {
 
 /// The names that lost all their elements in a repair, by layer and in the order of its pool.
 ///
-/// *Cost*: constant where nothing went; else linear in the elements, and a sort of the names.
+/// *Cost*: constant if no element went; else linear in the elements, and a sort of the names.
 pub fn emptied_names(stored: &PolygonMesh, repaired: &Repaired) -> Vec<EmptiedName> {
     let lost_edges = stored.loose_edges().len() > repaired.mesh.loose_edges().len();
     let lost_points = stored.loose_points().len() > repaired.mesh.loose_points().len();

@@ -1,4 +1,4 @@
-//! The three figures by which a pass's effect on the topology is told.
+//! The three figures that show the effect of a pass on the topology.
 
 use meshmend_core::{Connectivity, EdgeUse, FaceTable, Id, PolygonMesh, is_manifold};
 use meshmend_topology::{TopologyReport, boundary_loops, components};

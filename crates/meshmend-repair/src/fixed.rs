@@ -47,7 +47,7 @@ impl Fixed {
         self.listed.iter().cloned().chain(turned).chain(joined)
     }
 
-    /// For each vertex the one that it was joined to, or itself; empty where none was.
+    /// For each vertex the one that it was joined to, or itself; empty if no vertex was joined.
     pub(crate) fn joined_to(&self) -> &[VertexId] {
         &self.joined_to
     }

@@ -203,7 +203,7 @@ impl<'a> Context<'a> {
     /// # Errors
     /// When the kernel can't hold the mesh.
     ///
-    /// *Cost*: none where a session knows it, else that of [`topology`](meshmend_topology::topology).
+    /// *Cost*: constant if a session knows it, else that of [`topology`](meshmend_topology::topology).
     pub fn topology(&self, mesh: &PolygonMesh) -> Result<Cow<'a, TopologyReport>, PassError> {
         match self.known {
             Some(known) => Ok(Cow::Borrowed(known)),
@@ -252,7 +252,7 @@ pub struct History {
 }
 
 impl History {
-    /// The history of a mesh to which nothing was done yet.
+    /// The history of a mesh to which no pass was applied yet.
     pub fn begin(stored: &PolygonMesh) -> Self {
         History { stored: stored.clone(), provenance: Provenance::same(stored.counts()) }
     }

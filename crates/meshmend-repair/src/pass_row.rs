@@ -19,7 +19,7 @@ pub struct PassRow {
     /// Whether the default pipeline has the pass.
     pub is_default: bool,
     /// The pass of meshmend's own before which this one has its usual place; without one it comes last. The rows of
-    /// meshmend's own passes stand in order, and have none.
+    /// meshmend's own passes stand in order, and do not say it.
     pub before: Option<PassKind>,
     /// What can be chosen.
     pub options: &'static [PassOption],
@@ -34,7 +34,7 @@ pub struct PassOption {
     pub name: &'static str,
     /// What it decides, in a line.
     pub help: &'static str,
-    /// The keys of the pass's table in a plan that it sets; with none, it says only that the pass runs.
+    /// The keys of the pass's table in a plan that it sets. An option without keys says only that the pass runs.
     pub sets: &'static [&'static str],
     /// What it can be.
     pub values: OptionValues,

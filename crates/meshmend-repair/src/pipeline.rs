@@ -176,8 +176,8 @@ impl Pipeline {
     }
 
     /// The pipeline for an output that can hold some of the mesh's attribute layers alone: for each of them whether it
-    /// does. Faces that repeat others are told apart by those layers only, since they would be plain repeats to whoever
-    /// reads the output.
+    /// does. Faces that repeat others are told apart by those layers only: to a reader of the output they would be plain
+    /// repeats.
     pub fn for_layers(self, held: Vec<bool>) -> Self {
         Pipeline { held_layers: Some(held), ..self }
     }

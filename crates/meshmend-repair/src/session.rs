@@ -94,7 +94,7 @@ impl fmt::Debug for Session<'_> {
 }
 
 impl<'a> Session<'a> {
-    /// A session with a mesh to which nothing was done yet.
+    /// A session with a mesh to which no pass was applied yet.
     pub fn begin(stored: &PolygonMesh) -> Self {
         Session {
             // The tables of the first mesh go when a pass has made another.
@@ -151,7 +151,7 @@ impl<'a> Session<'a> {
         Session { takes_figures: true, ..self }
     }
 
-    /// Another session with the same choices, with another mesh and nothing done yet. Its passes are not told.
+    /// Another session with the same choices, with another mesh and no pass applied yet. It reports no progress.
     pub(crate) fn another(&self, stored: &PolygonMesh) -> Session<'a> {
         Session {
             kernel: self.kernel,
@@ -188,13 +188,13 @@ impl<'a> Session<'a> {
         self.record(pass, outcome, looked)
     }
 
-    /// Takes a pass for one that found nothing to do.
+    /// Records a pass as one that found nothing to do.
     pub(crate) fn skip(&mut self, pass: &AnyPass) -> Result<(), PassError> {
         self.tell(pass.kind());
         self.record(pass.clone(), Outcome::unchanged(&self.mesh), None).map(|_| ())
     }
 
-    /// Tells who asked for it which pass begins.
+    /// Reports which pass begins.
     pub(crate) fn tell(&mut self, pass: PassKind) {
         self.progress.iter_mut().for_each(|observe| observe(pass));
     }
@@ -209,7 +209,7 @@ impl<'a> Session<'a> {
     /// # Errors
     /// When the kernel can't hold the mesh.
     ///
-    /// *Cost*: that of [`topology_with`](meshmend_topology::topology_with), or none.
+    /// *Cost*: that of [`topology_with`](meshmend_topology::topology_with), or constant if it is known.
     pub fn topology(&mut self) -> Result<&TopologyReport, PassError> {
         let known = match self.topology.take() {
             Some(known) => known,

@@ -42,10 +42,10 @@ pub struct CheckReport {
     pub topology: TopologyReport,
     /// Which kernels hold it.
     pub kernels: Vec<KernelVerdict>,
-    /// How many vertices would be joined to others in single precision, beyond those at the same position. Those are told
-    /// by the defects, and within a distance nothing is counted.
+    /// How many vertices would be joined to others in single precision, beyond those at the same position. Vertices
+    /// at the same position are defects of their own; in a view welded within a distance this is 0.
     pub joined_in_single: u64,
-    /// The vertices that exact welding would join to a lower one; nothing where the view is welded.
+    /// The vertices that exact welding would join to a lower one; empty if the view is welded.
     coincident: Vec<(VertexId, VertexId)>,
     rules: Rules,
     /// The kinds that are listed because they were asked for.
@@ -72,7 +72,7 @@ pub struct StoredCounts {
 pub struct KernelVerdict {
     /// The kernel's name.
     pub name: &'static str,
-    /// Whether nothing stands against it.
+    /// Whether the kernel holds the mesh.
     pub holds: bool,
     /// How many defects of each kind it does not admit.
     pub refusals: BTreeMap<DefectKind, u64>,
@@ -81,7 +81,7 @@ pub struct KernelVerdict {
 /// Checks a mesh, and changes nothing.
 ///
 /// # Errors
-/// When the kernel can't hold the mesh, or the view's distance is none.
+/// When the kernel can't hold the mesh, or the view's distance is not a finite, non-negative number.
 ///
 /// *Cost*: near-linear, but for shortest witnesses, which cost what
 /// [`one_sided_loops`](meshmend_topology::one_sided_loops) does; one sort of the positions to tell what welding would join.

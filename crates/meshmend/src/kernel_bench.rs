@@ -121,7 +121,7 @@ impl KernelCost {
         self.times[question as usize]
     }
 
-    /// One run, over a complex of its own, so that none profits from what another one had made.
+    /// One run over a complex of its own, so that no run profits from what another one has built.
     fn run(kernel: KernelKind, mesh: &PolygonMesh, clock: &impl Fn() -> Duration) -> Result<Self, Refusal> {
         let fresh = Complex::of(&mesh.complex().shared_faces());
         let cost = KernelCost {

@@ -68,7 +68,7 @@ pub struct CutReport {
 /// Why surfaces have not been looked at, or not been cut.
 #[derive(Clone, Debug, Error)]
 pub enum LoopError {
-    /// The view's distance is none, or the kernel can't hold the mesh.
+    /// The view's distance is not a finite, non-negative number, or the kernel can't hold the mesh.
     #[error(transparent)]
     Pass(#[from] PassError),
     /// There are no generators.
@@ -95,7 +95,7 @@ pub enum LoopError {
 /// ```
 ///
 /// # Errors
-/// When the view's distance is none, the kernel can't hold the mesh, or the root is in no face.
+/// When the view's distance is not a finite, non-negative number, the kernel can't hold the mesh, or no face has the root.
 ///
 /// *Cost*: O(n log n) for each root that is tried.
 pub fn loops(mesh: &PolygonMesh, options: &LoopOptions) -> Result<LoopReport, LoopError> {
@@ -107,7 +107,7 @@ pub fn loops(mesh: &PolygonMesh, options: &LoopOptions) -> Result<LoopReport, Lo
 /// Cuts every component of a mesh open.
 ///
 /// # Errors
-/// When the view's distance is none, the root is in no face, a component is no surface, or one with a boundary is to
+/// When the view's distance is not a finite, non-negative number, no face has the root, a component is not a surface, or one with a boundary is to
 /// be cut along generators.
 ///
 /// *Cost*: that of [`loops`].

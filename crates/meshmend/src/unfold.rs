@@ -1,4 +1,4 @@
-//! A mesh laid out in the plane, cut open first where it is no disc.
+//! A mesh laid out in the plane, cut open first where it is not a disc.
 
 use meshmend_core::{Carry, Domain, Layer, MeshError, PolygonMesh, Role, Values};
 use meshmend_cut::{CutAlong, Discs, cut_to_discs, cut_to_square};
@@ -49,7 +49,7 @@ pub enum UnfoldError {
 
 const TEXCOORD: &str = "texcoord";
 
-/// Lays a mesh out in the unit square, each component in a square of its own. Where one is no disc, all are cut open,
+/// Lays a mesh out in the unit square, each component in a square of its own. If one is not a disc, all are cut open,
 /// and their vertices on the cut are doubled.
 ///
 /// On a square a closed torus is cut along two paths that meet in one vertex, its corners, so that opposite sides match.
@@ -66,7 +66,8 @@ const TEXCOORD: &str = "texcoord";
 /// ```
 ///
 /// # Errors
-/// When the view's distance is none, a component is no surface, or the weights can't be had.
+/// When the view's distance is not a finite, non-negative number, a component is not a surface, or the weights can't be
+/// computed.
 ///
 /// *Cost*: that of [`loops`](crate::loops()) and of [`flatten`].
 pub fn unfold(mesh: &PolygonMesh, options: &UnfoldOptions) -> Result<Unfolded, UnfoldError> {

@@ -28,7 +28,7 @@ impl View {
         }
     }
 
-    /// The distance within which vertices are one; nothing for the view by index.
+    /// The distance within which vertices count as one; `None` for the view by index.
     pub fn distance(self) -> Option<Distance> {
         match self {
             View::Indexed => None,
@@ -36,10 +36,10 @@ impl View {
         }
     }
 
-    /// A mesh as it is in this view: the pass `weld` alone, or nothing.
+    /// A mesh as this view shows it: welded, or as stored.
     ///
     /// # Errors
-    /// When the distance is none.
+    /// When the distance is not a finite, non-negative number.
     pub fn of(self, mesh: &PolygonMesh) -> Result<PolygonMesh, PassError> {
         match self {
             View::Indexed => Ok(mesh.clone()),

@@ -71,7 +71,7 @@ impl Convert {
         Ok(())
     }
 
-    /// The mesh with colours where an STL file has attribute bytes: of the faces, or in OBJ, which has none, of the vertices.
+    /// The mesh with colours where an STL file has attribute bytes: of the faces, or in OBJ, which has no colours of faces, of the vertices.
     fn decoded(&self, file: &ReadFile, options: &WriteOptions) -> Result<PolygonMesh, Failure> {
         if self.stl_colors == StlColors::Keep || file.format != Format::Stl {
             return Ok(file.mesh.clone());

@@ -16,7 +16,7 @@ use crate::outputs::{Content, Files};
 use crate::render;
 use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh, write_with};
 
-/// Lay surfaces out in the unit square, cut open where they are no discs
+/// Lay surfaces out in the unit square, cut open where they are not discs
 ///
 /// An OBJ gets the layout as its texture coordinates, an SVG shows it. Whether a face is flipped or has collapsed is
 /// found exactly, and told. STL, which has no indices, is taken as welded exactly.
@@ -96,7 +96,7 @@ impl Flatten {
         Ok(Status::Done)
     }
 
-    /// How to write a mesh, or nothing for a picture.
+    /// How to write a mesh; `None` for a picture.
     fn target(&self) -> Result<Option<OutputWords>, Failure> {
         let is_picture = self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"));
         if is_picture {

@@ -32,7 +32,7 @@ pub(crate) struct Kernels {
     /// Time each kernel: built, and asked the usual questions
     #[arg(long, requires = "file")]
     bench: bool,
-    /// How often each kernel is timed; the best times are told
+    /// How often each kernel is timed; the best times are reported
     #[arg(long, value_name = "N", default_value = "3", requires = "bench")]
     runs: NonZeroUsize,
     /// Print the times as JSON
@@ -76,7 +76,7 @@ fn tried(path: &Path, mesh: &PolygonMesh, console: &Console<'_>) -> String {
     format!("{list}\n{}", render::trials(&name(path), mesh.complex().proper_face_count(), &trials))
 }
 
-/// Builds a kernel over a complex of its own, so that none profits from what another one had made.
+/// Builds a kernel over a complex of its own, so that no kernel profits from what another one has built.
 fn trial(kernel: KernelKind, complex: &Complex) -> Trial {
     let fresh = Complex::of(&complex.shared_faces());
     let start = Instant::now();

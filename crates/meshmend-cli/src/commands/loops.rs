@@ -17,8 +17,8 @@ use crate::streams::{InputWords, name};
 
 /// Show the closed paths that generate each surface: its handles, cross-caps and holes
 ///
-/// A path is told by its vertices, its length, and whether it has two sides. A component that is no surface has none,
-/// and the reason is told. STL, which has no indices, is taken as welded exactly.
+/// A path is listed with its vertices, its length, and whether it has two sides. A component that is not a surface has no
+/// paths, and the report says why. STL, which has no indices, is taken as welded exactly.
 #[derive(Debug, Args)]
 pub(crate) struct Loops {
     #[arg(help = crate::format_words::input_help(), value_name = "FILE")]

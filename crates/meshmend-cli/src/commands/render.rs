@@ -98,7 +98,7 @@ enum OverlayWord {
     Cotree,
     /// Where to cut what has one side only
     Seam,
-    /// Nothing: the faces alone
+    /// No overlay: the faces alone
     None,
 }
 

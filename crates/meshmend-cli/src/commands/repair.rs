@@ -83,7 +83,7 @@ impl Target<'_> {
         Ok(Prepared::new(mesh, &self.options).map_err(failed)?)
     }
 
-    /// How the file stores faces. What can't be made ready is told when it is to be written.
+    /// How the file stores faces. A mesh that can't be prepared is an error only when it is written.
     fn storage(&self) -> FaceStorage {
         let holds_polygons = self.options.format.is_none_or(Format::holds_polygons);
         let storage = if holds_polygons { FaceStorage::default() } else { FaceStorage::apart() };

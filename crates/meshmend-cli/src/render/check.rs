@@ -208,7 +208,7 @@ fn placed(item: &PlacedDefect) -> String {
     }
 }
 
-/// The faces along an edge or round a vertex. Returns nothing if there are none, or if none is to be shown.
+/// The faces along an edge or round a vertex. Returns an empty text if there are no faces, or the limit is 0.
 pub(super) fn faces_round(item: &PlacedDefect) -> String {
     let Some(round) = &item.round else { return String::new() };
     let names: Vec<String> = round.faces.iter().map(ToString::to_string).collect();

@@ -37,7 +37,7 @@ pub(crate) fn loops(document: &LoopsDocument, style: Style) -> String {
 }
 
 fn heading(place: usize, component: &ComponentLoops) -> String {
-    let Some(name) = &component.name else { return format!("component {place} is no surface") };
+    let Some(name) = &component.name else { return format!("component {place} is not a surface") };
     let root = component.root.map_or(String::new(), |root| format!(", from {root}"));
     let unit = if component.measure == Some(Measure::Hops) { ", lengths in edges" } else { "" };
     format!("component {place}: {name}{root}{unit}")

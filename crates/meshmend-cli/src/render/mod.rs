@@ -64,7 +64,7 @@ fn yes_no(answer: bool) -> &'static str {
     if answer { "yes" } else { "no" }
 }
 
-/// A headed paragraph of indented lines; nothing if there are none.
+/// A headed paragraph of indented lines; empty if there are no lines.
 fn paragraph(heading: &str, lines: impl IntoIterator<Item = String>) -> String {
     let lines: Vec<String> = lines.into_iter().map(|line| format!("  {line}\n")).collect();
     if lines.is_empty() { String::new() } else { format!("\n{heading}\n{}", lines.concat()) }

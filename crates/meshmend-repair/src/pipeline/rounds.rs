@@ -29,7 +29,7 @@ enum Finality {
     /// No face came apart from another, and none was cut: then the result is manifold, and no two of its vertices are
     /// welded, so that the same sides are matched again.
     UnlessTakenApart,
-    /// Nothing was changed, and what hung together as stored does so when it is read again.
+    /// No pass changed anything, and faces that share a vertex do so when the result is read again.
     IfUnchanged,
 }
 

@@ -28,8 +28,8 @@ enum Corners {
     Placed,
 }
 
-/// What a writer makes of a mesh before it stores it: that mesh and where its elements were, or nothing if it stores the
-/// mesh as it is.
+/// What a writer makes of a mesh before it stores it: that mesh and where its elements were, or `None` if it stores
+/// the mesh as it is.
 #[derive(Clone)]
 pub struct Writing(Arc<Make>);
 

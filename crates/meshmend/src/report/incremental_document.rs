@@ -50,7 +50,7 @@ impl IncrementalDocument {
     /// The document of a mesh in a view, with at most `limit` steps, and all the steps.
     ///
     /// # Errors
-    /// When the view's distance is none.
+    /// When the view's distance is not a finite, non-negative number.
     ///
     /// *Cost*: that of [`incremental`].
     pub fn new(mesh: &PolygonMesh, view: View, limit: usize) -> Result<(Self, Incremental), PassError> {

@@ -31,7 +31,7 @@ pub struct KernelTrial {
     pub name: &'static str,
     /// Bytes on the heap for each proper face; absent where it refuses.
     pub bytes_a_face: Option<f64>,
-    /// The least time for each question; none where it refuses.
+    /// The least time for each question; empty if the kernel refuses the mesh.
     pub seconds: BTreeMap<KernelQuestion, f64>,
     /// Why it refuses, if it does.
     pub refusal: Option<String>,

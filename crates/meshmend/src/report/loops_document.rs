@@ -42,9 +42,9 @@ pub struct LoopsDocument {
 /// The closed paths of one component.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ComponentLoops {
-    /// What the surface is called; absent for a component that is none.
+    /// What the surface is called; absent for a component that is not a surface.
     pub name: Option<String>,
-    /// Why there are no paths, for a component that is no surface: the first edge or vertex that no surface has.
+    /// Why a component that is not a surface has no paths: its first edge or vertex that a surface can't have.
     pub obstacle: Option<PlacedDefect>,
     /// Where the shortest paths begin.
     pub root: Option<VertexId>,
@@ -106,7 +106,7 @@ pub struct CutComponent {
     pub name: String,
     /// What it is called now.
     pub after: String,
-    /// How its rim is glued to itself; absent if it is no disc.
+    /// How its rim is glued to itself; absent if it is not a disc.
     pub word: Option<GluingWord>,
     /// What that word makes of a disc.
     pub glued: Option<String>,

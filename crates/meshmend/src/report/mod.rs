@@ -45,7 +45,7 @@ pub const SCHEMA: u32 = 2;
 /// A document as one line of JSON with sorted keys. A number that is not finite becomes `null`.
 ///
 /// # Errors
-/// When the value has a map whose keys are no texts; no document has.
+/// When the value has a map whose keys are not texts. No document has one.
 pub fn json(document: &impl Serialize) -> Result<String, serde_json::Error> {
     // A map of serde_json is sorted by key, while a struct is written in the order of its fields.
     serde_json::to_value(document).map(|value| value.to_string())

@@ -104,7 +104,7 @@ pub struct PassDocument {
     pub looked: Option<Looked>,
 }
 
-/// How much a pass added to the three figures by which its effect is told.
+/// How much a pass added to the three figures that show its effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct FigureChanges {
     /// To V − E + F.

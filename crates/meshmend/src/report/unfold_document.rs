@@ -32,7 +32,7 @@ pub struct UnfoldDocument {
     pub opened_edges: usize,
     /// How many discs there are, each in a square of its own.
     pub discs: usize,
-    /// How often the weights were evened out, so that nothing became too small.
+    /// How often the weights were evened out, so that no face became too small.
     pub rounds: usize,
     /// Whether no face is flipped or collapsed, exactly.
     pub one_to_one: bool,
