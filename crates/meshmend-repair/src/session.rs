@@ -15,7 +15,7 @@ use crate::figures::Figures;
 use crate::pass::topology_on;
 use crate::{
     AnyPass, Clearance, Context, FaceStorage, History, Outcome, PassError, PassKind, PassRecord, RemovedFace,
-    Repaired, TellingLayers,
+    TellingLayers,
 };
 
 /// A mesh under repair.
