@@ -9,10 +9,15 @@ use serde::de::MapAccess;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::{Clean, Compact, Emptying, Orient, Pass, PassRow, PlanError, Split, Triangulate, Verify, Weld};
+use crate::{Emptying, Pass, PassRow, PlanError};
 
 macro_rules! passes {
-    ($($variant:ident $file:ident)*) => {
+    ($($file:ident: $variant:ident $(, $option:ident)*;)*) => {
+        $(
+            mod $file;
+            pub use $file::{$variant $(, $option)*};
+        )*
+
         /// Which pass, without its options.
         #[derive(Clone, Copy)]
         pub enum PassKind {
@@ -36,7 +41,7 @@ macro_rules! passes {
             /// All that is said of the pass.
             pub fn row(self) -> &'static PassRow {
                 match self {
-                    $(PassKind::$variant => &crate::$file::ROW,)*
+                    $(PassKind::$variant => &$file::ROW,)*
                     PassKind::Own(row) => row,
                 }
             }
@@ -128,13 +133,13 @@ macro_rules! passes {
 }
 
 passes! {
-    Weld weld
-    Clean clean
-    Orient orient
-    Split split
-    Triangulate triangulate
-    Compact compact
-    Verify verify
+    weld: Weld, Distance;
+    clean: Clean, NonFinite, Repeated;
+    orient: Orient, Duplicates, NonOrientable, Side;
+    split: Split, SeamFigures, Seams, SplitEdges;
+    triangulate: Triangulate, TriangulateFaces;
+    compact: Compact, LooseElements;
+    verify: Verify;
 }
 
 /// What `verify` was called before. Plans may still say so.
