@@ -1,6 +1,8 @@
 //! A vertex with more corners than renderers like.
 
-use meshmend_core::{Defect, DefectKind, Defects, Element, Found, Id, Listed, PolygonMesh, Rule, Severity, VertexId};
+use meshmend_core::{
+    Defect, DefectKind, Defects, Element, Found, Id, Listed, PolygonMesh, Rule, Severity, VertexId,
+};
 
 /// How many corners may be at a vertex.
 const MOST: u32 = 12;

@@ -19,6 +19,8 @@ pub(super) const RULE: Rule = Rule {
 impl Defect {
     /// A face whose directed cycle an earlier face has too, but which looks otherwise or belongs elsewhere.
     pub fn differing_face(face: FaceId, original: FaceId, differs: Differences) -> Self {
-        Defect::new(DefectKind::DifferingFace, Element::Face(face)).beside(Element::Face(original)).with(Detail::Differs(differs))
+        Defect::new(DefectKind::DifferingFace, Element::Face(face))
+            .beside(Element::Face(original))
+            .with(Detail::Differs(differs))
     }
 }

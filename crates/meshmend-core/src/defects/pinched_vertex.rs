@@ -19,6 +19,8 @@ pub(super) const RULE: Rule = Rule {
 impl Defect {
     /// A vertex at which two or more umbrellas meet, all edges there having one side or two.
     pub fn pinched_vertex(vertex: VertexId, umbrellas: u32, boundary_only: bool) -> Self {
-        Defect::new(DefectKind::PinchedVertex, Element::Vertex(vertex)).counting(umbrellas).with(Detail::BoundaryOnly(boundary_only))
+        Defect::new(DefectKind::PinchedVertex, Element::Vertex(vertex))
+            .counting(umbrellas)
+            .with(Detail::BoundaryOnly(boundary_only))
     }
 }

@@ -10,9 +10,7 @@ pub(super) const RULE: Rule = Rule {
     explanation: "The closed patch lies inside another one and looked inward, as the wall of a hollow does. `--orient \
         outward` turned it all the same. `--orient outward-nested` keeps the walls of hollows.",
     found: Found::ByPass,
-    listed: Listed::InRecord {
-        hint: "--orient outward-nested keeps the walls of cavities",
-    },
+    listed: Listed::InRecord { hint: "--orient outward-nested keeps the walls of cavities" },
     counts: Some("patch_faces"),
     sentence: "the closed patch of {face}, {faces} in all, is inside another",
 };

@@ -18,6 +18,8 @@ pub(super) const RULE: Rule = Rule {
 impl Defect {
     /// A patch of so many faces, by its lowest face, of which it can't be told which side is the outer one.
     pub fn unjudged_patch(face: FaceId, faces: u32, reason: Unjudged) -> Self {
-        Defect::new(DefectKind::UnjudgedPatch, Element::Patch(face)).counting(faces).with(Detail::Unjudged(reason))
+        Defect::new(DefectKind::UnjudgedPatch, Element::Patch(face))
+            .counting(faces)
+            .with(Detail::Unjudged(reason))
     }
 }
