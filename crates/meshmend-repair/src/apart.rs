@@ -116,16 +116,18 @@ impl KernelTask for AlongRules<'_> {
         let mut sewing = Sewing::of(kernel, mesh, context);
         let unchanged = || (mesh.clone(), Provenance::same(mesh.counts()));
         if sewing.is_whole(kernel, mesh, &stored) {
+            sewing.keep(mesh, context);
             return Ok(unchanged());
         }
         let matching = sewing.take_matching(kernel, &stored);
         context.check_cancelled()?;
         let cut = sewing.parted_copies(kernel);
-        let vertices = with_ends(kernel, sewing.irregular, &cut);
+        let vertices = with_ends(kernel, sewing.irregular.clone(), &cut);
         let separation =
             Separation { matching: &matching, joined: &[], vertices, coinciding: Coinciding::Subdivided };
         let apart = Apart::of(kernel, mesh, context, separation)?;
-        drop(matching);
+        sewing.put_back(matching);
+        sewing.keep(mesh, context);
         if apart.is_unchanged(kernel, mesh) { Ok(unchanged()) } else { apart.rebuild(mesh) }
     }
 }

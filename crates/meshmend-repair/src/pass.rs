@@ -13,6 +13,7 @@ use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_topology::{TopologyReport, Witness, topology_with};
 use thiserror::Error;
 
+use crate::sewing::KeptSewing;
 use crate::{Clearance, Emptied, FaceStorage, Fixed, PassKind, SeamFigures, TellingLayers};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
@@ -170,6 +171,8 @@ pub struct Context<'a> {
     pub(crate) telling: TellingLayers<'a>,
     /// How the result will be stored, if not by the vertices that faces share.
     pub(crate) storage: Option<&'a FaceStorage>,
+    /// Where the sewing of a mesh is kept for the next pass.
+    pub(crate) sewing: Option<&'a KeptSewing>,
 }
 
 impl<'a> Context<'a> {

@@ -220,7 +220,7 @@ impl Pipeline {
         } else {
             session = session.anew(rounded);
         }
-        session.aim = self.aim();
+        session.aim_at(self.aim());
         self.run_round(left, &mut session)?;
         let session = self.settled(session)?;
         let stored = session.stored().clone();

@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use crate::figures::Figures;
 use crate::pass::topology_on;
+use crate::sewing::KeptSewing;
 use crate::{
     AnyPass, Clearance, Context, FaceStorage, History, Outcome, PassError, PassKind, PassRecord, RemovedFace,
     TellingLayers,
@@ -45,6 +46,8 @@ pub struct Session<'a> {
     since_moved: Option<History>,
     /// The topology of the mesh, once it was asked for and until the mesh is changed.
     topology: Option<Box<TopologyReport>>,
+    /// How the mesh is sewn, if a pass found that out and no other one has used it.
+    sewing: KeptSewing,
     kernel: KernelKind,
     witness: Witness,
     progress: Option<Box<dyn FnMut(PassKind) + 'a>>,
@@ -102,6 +105,7 @@ impl<'a> Session<'a> {
             history: History::begin(stored),
             since_moved: None,
             topology: None,
+            sewing: KeptSewing::default(),
             kernel: KernelKind::default(),
             witness: Witness::default(),
             progress: None,
@@ -199,6 +203,12 @@ impl<'a> Session<'a> {
         self.progress.iter_mut().for_each(|observe| observe(pass));
     }
 
+    /// Sets what the result is made for. How the mesh is sewn is found out again: other layers may tell faces apart.
+    pub(crate) fn aim_at(&mut self, aim: Aim) {
+        self.aim = aim;
+        self.sewing = KeptSewing::default();
+    }
+
     /// Makes sure that vertices within a tolerance count as joined.
     pub(crate) fn reach_to(&mut self, tolerance: f64) {
         self.tolerance = self.tolerance.max(tolerance);
@@ -233,6 +243,7 @@ impl<'a> Session<'a> {
             clearance: Clearance { tolerance: self.tolerance, ..self.aim.clearance },
             telling: self.aim.telling.as_deref().map_or(TellingLayers::All, TellingLayers::Only),
             storage: Some(&self.aim.storage),
+            sewing: Some(&self.sewing),
         }
     }
 
@@ -260,6 +271,7 @@ impl<'a> Session<'a> {
             self.topology = None;
         }
         self.mesh = outcome.mesh;
+        self.sewing.keep_only_of(&self.mesh);
         self.applied.push(pass);
         self.records.push(PassRecord {
             pass: kind,

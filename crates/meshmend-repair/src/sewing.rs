@@ -10,7 +10,10 @@ use crate::matching::{Matching, may_match};
 use crate::stored_vertices::StoredVertices;
 use crate::telling::Telling;
 
+mod kept;
 mod regular_fast_path;
+
+pub(crate) use kept::KeptSewing;
 
 /// The irregular vertices of a mesh, its copied faces, and the matching of its sides by rules 1 and 2.
 ///
@@ -26,11 +29,14 @@ pub(crate) struct Sewing {
 }
 
 impl Sewing {
-    /// What is sewn to what in a mesh. The matching is not made yet.
+    /// What is sewn to what in a mesh: as an earlier pass found it out, or afresh. The matching need not be made yet.
     ///
     /// *Cost*: that of [`irregular_vertices`], unless the report says that there are none; and that of
     /// [`Copies::find`] where some layer tells faces apart.
     pub(crate) fn of<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, context: &Context<'_>) -> Self {
+        if let Some(sewing) = context.sewing.and_then(|kept| kept.take(mesh)) {
+            return sewing;
+        }
         let is_manifold = context.known.is_some_and(|report| report.manifold);
         let irregular = if is_manifold { Vec::new() } else { irregular_vertices(kernel) };
         // Where every vertex is regular, copies of a face clash along the edges that they share.
@@ -65,6 +71,18 @@ impl Sewing {
     ) -> Matching {
         let copies = self.copies.as_ref();
         self.matching.take().unwrap_or_else(|| Matching::by_rules(kernel, stored, copies))
+    }
+
+    /// Gives a matching back, as it was taken.
+    pub(crate) fn put_back(&mut self, matching: Matching) {
+        self.matching = Some(matching);
+    }
+
+    /// Keeps it for the next pass, if there is a place for it.
+    pub(crate) fn keep(self, mesh: &PolygonMesh, context: &Context<'_>) {
+        if let Some(kept) = context.sewing {
+            kept.keep(mesh, self);
+        }
     }
 
     /// The edges that only two copies of a face have, which differ and so come apart.
