@@ -54,7 +54,7 @@ pub enum NoClasses {
 pub fn proximity_classes(
     points: &[[f64; 3]],
     epsilon: f64,
-    goes_on: impl Fn() -> bool,
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<Vec<VertexId>, NoClasses> {
     let side = epsilon * SIDE;
     let Some((low, high)) = bounds(points) else { return Ok((0..points.len()).map(VertexId::new).collect()) };
@@ -110,7 +110,7 @@ impl<'a, P: Places> Cloud<'a, P> {
     }
 
     /// Returns `None` if the caller does not go on.
-    fn classes(&self, goes_on: impl Fn() -> bool) -> Option<Vec<VertexId>> {
+    fn classes(&self, goes_on: &dyn Fn() -> bool) -> Option<Vec<VertexId>> {
         let mut joined = UnionFind::new(self.cubes.len() - 1);
         let mut rows = ROWS.map(|step| (step, 0));
         for (cell, &place) in self.cells.iter().enumerate() {
@@ -221,7 +221,7 @@ mod tests {
     use super::*;
 
     fn lowest(points: &[[f64; 3]], epsilon: f64) -> Vec<u32> {
-        proximity_classes(points, epsilon, || true).unwrap().iter().map(|v| v.0).collect()
+        proximity_classes(points, epsilon, &|| true).unwrap().iter().map(|v| v.0).collect()
     }
 
     /// The definition, pair by pair.
@@ -285,14 +285,14 @@ mod tests {
 
     #[test]
     fn a_tolerance_below_the_resolution_is_refused() {
-        assert!(proximity_classes(&[[1.0; 3]], 1e-20, || true).is_err());
-        assert!(proximity_classes(&[[0.0; 3]], f64::MIN_POSITIVE, || true).is_err());
+        assert!(proximity_classes(&[[1.0; 3]], 1e-20, &|| true).is_err());
+        assert!(proximity_classes(&[[0.0; 3]], f64::MIN_POSITIVE, &|| true).is_err());
     }
 
     #[test]
     fn coordinates_are_resolved_as_far_as_a_place_in_cubes_goes() {
         let largest = SIDE * LARGEST_QUOTIENT;
         assert_eq!(lowest(&[[largest, 0.0, 0.0], [largest - 1.0, 0.0, 0.0], [1.5; 3]], 1.0), [0, 0, 2]);
-        assert!(proximity_classes(&[[largest.next_up(), 0.0, 0.0]], 1.0, || true).is_err());
+        assert!(proximity_classes(&[[largest.next_up(), 0.0, 0.0]], 1.0, &|| true).is_err());
     }
 }

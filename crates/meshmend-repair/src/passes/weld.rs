@@ -141,11 +141,11 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
         Ok(coincident_vertices(mesh))
     } else if epsilon.is_finite() && epsilon > 0.0 {
         let goes_on = || context.check_cancelled().is_ok();
-        let classes = proximity_classes(mesh.positions(), epsilon, goes_on);
+        let classes = proximity_classes(mesh.positions(), epsilon, &goes_on);
         let classes = match (&classes, used_positions(mesh)) {
             // Coordinates that are too large can't resolve the distance. If no face has them, they are set aside.
             (Err(NoClasses::Unresolved { .. }), Cow::Owned(used)) => {
-                proximity_classes(&used, epsilon, goes_on)
+                proximity_classes(&used, epsilon, &goes_on)
             }
             _ => classes,
         };
