@@ -69,7 +69,7 @@ fn a_component_that_is_no_surface_is_told_and_not_cut() {
     let report = meshmend(&["loops", "--json", &file]).succeeds().json();
     assert_eq!(report["components"][0]["obstacle"]["kind"], "pinched-vertex");
     let text = meshmend(&["loops", &file]).succeeds().stdout;
-    assert!(text.contains("component 0 is no surface\n  v0 joins 2 umbrellas"), "{text}");
+    assert!(text.contains("component 0 is not a surface\n  v0 joins 2 umbrellas"), "{text}");
     meshmend(&["cut", &file, "-o", &folder.at("a.ply")]).fails(5, "only a surface can be cut");
     assert!(folder.names().is_empty());
 }

@@ -53,7 +53,9 @@
 //! let wrong = report.listed_kinds().filter(|kind| kind.severity() == Severity::Defect);
 //! let said: Vec<String> =
 //!     wrong.flat_map(|kind| report.defects_of_kind(kind)).map(|defect| defect.to_string()).collect();
-//! assert_eq!(said, ["e0 v0-v1 has 3 sides"]);
+//! let expected =
+//!     ["e0 v0-v1 has 3 sides", "v0 is on a non-manifold edge", "v1 is on a non-manifold edge"];
+//! assert_eq!(said, expected);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
