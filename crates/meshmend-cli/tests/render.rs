@@ -1,5 +1,7 @@
 //! Pictures, as a user asks for them.
 
+#![cfg(feature = "render")]
+
 mod common;
 
 use std::fs;

@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::failure::{Failure, Status};
 
-/// Lay surfaces out in the unit square (not in this build: it was made without the feature `flatten`)
+/// A command that this build leaves out
 #[derive(Debug, Args)]
 pub(crate) struct LeftOut {
     #[arg(hide = true, trailing_var_arg = true, allow_hyphen_values = true)]
@@ -14,11 +14,11 @@ pub(crate) struct LeftOut {
 }
 
 impl LeftOut {
-    pub(crate) fn run(self) -> Result<Status, Failure> {
+    pub(crate) fn run(self, command: &str) -> Result<Status, Failure> {
         let Self { arguments: _ } = self;
-        Err(Failure::usage(
-            "this program was built without its command `flatten`; \
-             `cargo install --locked --path crates/meshmend-cli` builds it with all commands",
-        ))
+        Err(Failure::usage(format!(
+            "this program was built without its command `{command}`; \
+             `cargo install --locked --path crates/meshmend-cli` builds it with all commands"
+        )))
     }
 }

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 mod check;
+#[cfg(feature = "completions")]
 mod completions;
 mod convert;
 mod cut;
@@ -9,10 +10,11 @@ mod explain;
 mod flatten;
 mod incremental;
 mod kernels;
-#[cfg(not(feature = "flatten"))]
+#[cfg(not(all(feature = "flatten", feature = "render", feature = "completions")))]
 mod left_out;
 mod loops;
 mod make;
+#[cfg(feature = "render")]
 mod render;
 mod repair;
 
@@ -34,16 +36,25 @@ pub(crate) enum Command {
     Convert(convert::Convert),
     Loops(loops::Loops),
     Cut(cut::Cut),
+    #[cfg(feature = "render")]
     Render(Box<render::Render>),
+    /// Draw a mesh and what is wrong with it (left out of this build)
+    #[cfg(not(feature = "render"))]
+    Render(left_out::LeftOut),
     Incremental(incremental::Incremental),
     #[cfg(feature = "flatten")]
     Flatten(flatten::Flatten),
+    /// Lay surfaces out in the unit square (left out of this build)
     #[cfg(not(feature = "flatten"))]
     Flatten(left_out::LeftOut),
     Make(make::Make),
     Kernels(kernels::Kernels),
     Explain(explain::Explain),
+    #[cfg(feature = "completions")]
     Completions(completions::Completions),
+    /// Print the completions for a shell (left out of this build)
+    #[cfg(not(feature = "completions"))]
+    Completions(left_out::LeftOut),
 }
 
 impl Command {
@@ -55,7 +66,10 @@ impl Command {
             Command::Convert(command) => slice::from_ref(&command.input),
             Command::Loops(command) => slice::from_ref(&command.file),
             Command::Cut(command) => slice::from_ref(&command.input),
+            #[cfg(feature = "render")]
             Command::Render(command) => slice::from_ref(&command.input),
+            #[cfg(not(feature = "render"))]
+            Command::Render(_) => &[],
             Command::Incremental(command) => slice::from_ref(&command.file),
             #[cfg(feature = "flatten")]
             Command::Flatten(command) => slice::from_ref(&command.input),
@@ -81,16 +95,22 @@ impl Command {
             Command::Convert(command) => command.run(console),
             Command::Loops(command) => command.run(console),
             Command::Cut(command) => command.run(console),
+            #[cfg(feature = "render")]
             Command::Render(command) => command.run(console),
+            #[cfg(not(feature = "render"))]
+            Command::Render(command) => command.run("render"),
             Command::Incremental(command) => command.run(console),
             #[cfg(feature = "flatten")]
             Command::Flatten(command) => command.run(console),
             #[cfg(not(feature = "flatten"))]
-            Command::Flatten(command) => command.run(),
+            Command::Flatten(command) => command.run("flatten"),
             Command::Make(command) => command.run(console),
             Command::Kernels(command) => command.run(console),
             Command::Explain(command) => command.run(rules, program.passes, console),
+            #[cfg(feature = "completions")]
             Command::Completions(command) => command.run(program, console),
+            #[cfg(not(feature = "completions"))]
+            Command::Completions(command) => command.run("completions"),
         }
     }
 }

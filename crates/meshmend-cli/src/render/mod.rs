@@ -7,6 +7,7 @@ mod incremental;
 mod kernels;
 mod loops;
 mod paper_tables;
+#[cfg(feature = "render")]
 mod picture;
 mod repair;
 mod shapes;
@@ -23,6 +24,7 @@ pub(crate) use incremental::incremental;
 pub(crate) use kernels::{Trial, kernel_times, kernels, trials};
 pub(crate) use loops::{cut, loops};
 pub(crate) use paper_tables::paper_tables;
+#[cfg(feature = "render")]
 pub(crate) use picture::picture;
 pub(crate) use repair::{repair, summary};
 pub(crate) use shapes::{shape, shapes};
