@@ -16,6 +16,7 @@ use crate::View;
 
 /// How to check.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CheckOptions {
     /// Whether the mesh is judged as stored or as welded.
     pub view: View,
@@ -25,6 +26,32 @@ pub struct CheckOptions {
     pub witness: Witness,
     /// Which kinds of defect are looked for.
     pub rules: Rules,
+}
+
+impl CheckOptions {
+    /// These options with this view of the mesh.
+    #[must_use]
+    pub fn with_view(self, view: View) -> Self {
+        CheckOptions { view, ..self }
+    }
+
+    /// These options with this kernel to compute on.
+    #[must_use]
+    pub fn with_kernel(self, kernel: KernelKind) -> Self {
+        CheckOptions { kernel, ..self }
+    }
+
+    /// These options with this strip of faces as a witness.
+    #[must_use]
+    pub fn with_witness(self, witness: Witness) -> Self {
+        CheckOptions { witness, ..self }
+    }
+
+    /// These options with these kinds of defect.
+    #[must_use]
+    pub fn with_rules(self, rules: Rules) -> Self {
+        CheckOptions { rules, ..self }
+    }
 }
 
 /// What a check found.

@@ -175,7 +175,7 @@
 //!
 //! # let faces = FaceTable::triangles(3, [0, 1, 2].map(VertexId).to_vec())?;
 //! # let mesh = PolygonMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, -2.0]], faces)?;
-//! let options = CheckOptions { rules: Rules::with(&[&BELOW])?, ..CheckOptions::default() };
+//! let options = CheckOptions::default().with_rules(Rules::with(&[&BELOW])?);
 //! let report = check(&mesh, &options)?;
 //! let defect = report.defects_of_kind(DefectKind::Own(&BELOW)).next();
 //! assert_eq!(defect.map(|defect| defect.to_string()).as_deref(), Some("v2 is below the ground"));

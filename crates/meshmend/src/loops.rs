@@ -12,6 +12,7 @@ use crate::View;
 
 /// How to look for the closed paths of surfaces.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct LoopOptions {
     /// Whether the mesh is taken as stored or as welded.
     pub view: View,
@@ -21,8 +22,29 @@ pub struct LoopOptions {
     pub paths: PathOptions,
 }
 
+impl LoopOptions {
+    /// These options with this view of the mesh.
+    #[must_use]
+    pub fn with_view(self, view: View) -> Self {
+        LoopOptions { view, ..self }
+    }
+
+    /// These options with this kernel to compute on.
+    #[must_use]
+    pub fn with_kernel(self, kernel: KernelKind) -> Self {
+        LoopOptions { kernel, ..self }
+    }
+
+    /// These options with these paths wanted.
+    #[must_use]
+    pub fn with_paths(self, paths: PathOptions) -> Self {
+        LoopOptions { paths, ..self }
+    }
+}
+
 /// Which closed paths of a surface are wanted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct PathOptions {
     /// Whether edges are measured in space or counted.
     pub measure: Measure,
@@ -32,8 +54,29 @@ pub struct PathOptions {
     pub roots: Roots,
 }
 
+impl PathOptions {
+    /// These options with edges measured so.
+    #[must_use]
+    pub fn with_measure(self, measure: Measure) -> Self {
+        PathOptions { measure, ..self }
+    }
+
+    /// These options with this system of paths wanted.
+    #[must_use]
+    pub fn with_co_tree(self, co_tree: CoTree) -> Self {
+        PathOptions { co_tree, ..self }
+    }
+
+    /// These options with paths that begin there.
+    #[must_use]
+    pub fn with_roots(self, roots: Roots) -> Self {
+        PathOptions { roots, ..self }
+    }
+}
+
 /// How to cut surfaces open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CutOptions {
     /// Whether the mesh is taken as stored or as welded.
     pub view: View,
@@ -41,6 +84,26 @@ pub struct CutOptions {
     pub along: CutAlong,
     /// Along which paths.
     pub paths: PathOptions,
+}
+
+impl CutOptions {
+    /// These options with this view of the mesh.
+    #[must_use]
+    pub fn with_view(self, view: View) -> Self {
+        CutOptions { view, ..self }
+    }
+
+    /// These options with cuts along these edges.
+    #[must_use]
+    pub fn with_along(self, along: CutAlong) -> Self {
+        CutOptions { along, ..self }
+    }
+
+    /// These options with cuts along these paths.
+    #[must_use]
+    pub fn with_paths(self, paths: PathOptions) -> Self {
+        CutOptions { paths, ..self }
+    }
 }
 
 /// The closed paths of a mesh's surfaces.

@@ -9,6 +9,7 @@ use crate::{LoopError, PathOptions, View};
 
 /// How to lay a mesh out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct UnfoldOptions {
     /// Whether the mesh is taken as stored or as welded.
     pub view: View,
@@ -16,6 +17,26 @@ pub struct UnfoldOptions {
     pub flatten: Flatten,
     /// Along which paths a surface is cut that is not a disc.
     pub paths: PathOptions,
+}
+
+impl UnfoldOptions {
+    /// These options with this view of the mesh.
+    #[must_use]
+    pub fn with_view(self, view: View) -> Self {
+        UnfoldOptions { view, ..self }
+    }
+
+    /// These options with a layout made so.
+    #[must_use]
+    pub fn with_flatten(self, flatten: Flatten) -> Self {
+        UnfoldOptions { flatten, ..self }
+    }
+
+    /// These options with cuts along these paths.
+    #[must_use]
+    pub fn with_paths(self, paths: PathOptions) -> Self {
+        UnfoldOptions { paths, ..self }
+    }
 }
 
 /// A mesh with its layout.

@@ -111,8 +111,11 @@ impl Check {
         let file = self.from.read(path, console)?;
         progress.step(&format!("check {}", name(path)));
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        let options =
-            CheckOptions { view, kernel: self.kernel, witness: self.witness.into(), rules: asked.rules };
+        let options = CheckOptions::default()
+            .with_view(view)
+            .with_kernel(self.kernel)
+            .with_witness(self.witness.into())
+            .with_rules(asked.rules);
         let report = check(&file.mesh, &options).map_err(|error| Failure::of_pass(&name(path), &error))?;
         let status = if asked.is_failing(&report) { Status::DefectsFound } else { Status::Done };
         let document =

@@ -67,7 +67,10 @@ impl Cut {
         let file = self.from.read(&self.input, console)?;
         let options = self.words.options_for(&self.output, &file)?;
         progress.step("cut");
-        let cut_options = CutOptions { view: View::usual_for(file.format), along, paths: self.loops.paths() };
+        let cut_options = CutOptions::default()
+            .with_view(View::usual_for(file.format))
+            .with_along(along)
+            .with_paths(self.loops.paths());
         let report = cut(&file.mesh, &cut_options).map_err(|error| failure(&name(&self.input), error))?;
         progress.step("write");
         let mut document = CutDocument::new(&report, along, self.limit);

@@ -76,7 +76,7 @@ impl Flatten {
         progress.step("flatten");
         let view = View::usual_for(file.format);
         let request = self.request();
-        let options = UnfoldOptions { view, flatten: request, ..UnfoldOptions::default() };
+        let options = UnfoldOptions::default().with_view(view).with_flatten(request);
         let unfolded = unfold(&file.mesh, &options).map_err(|error| failure(&name(&self.input), error))?;
         progress.step("write");
         let mut document = UnfoldDocument::new(&unfolded, &request, view, self.limit);

@@ -55,11 +55,10 @@ pub(super) struct LoopWords {
 impl LoopWords {
     pub(super) fn paths(self) -> PathOptions {
         let root = self.root.map_or(Roots::Lowest, |vertex| Roots::At(VertexId(vertex)));
-        PathOptions {
-            measure: if self.hops { Measure::Hops } else { Measure::Length },
-            co_tree: if self.greedy { CoTree::Greedy } else { CoTree::Lowest },
-            roots: self.roots.map_or(root, Roots::Best),
-        }
+        PathOptions::default()
+            .with_measure(if self.hops { Measure::Hops } else { Measure::Length })
+            .with_co_tree(if self.greedy { CoTree::Greedy } else { CoTree::Lowest })
+            .with_roots(self.roots.map_or(root, Roots::Best))
     }
 }
 
@@ -70,7 +69,7 @@ impl Loops {
         let file = self.from.read(&self.file, console)?;
         progress.step("loops");
         let view = View::usual_for(file.format);
-        let options = LoopOptions { view, paths: self.words.paths(), ..LoopOptions::default() };
+        let options = LoopOptions::default().with_view(view).with_paths(self.words.paths());
         let report = loops(&file.mesh, &options).map_err(|error| failure(&name(&self.file), error))?;
         let document = LoopsDocument::new(&report, self.limit).of_file(name(&self.file), &file);
         drop(progress);

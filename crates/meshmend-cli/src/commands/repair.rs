@@ -206,7 +206,7 @@ impl Repair {
     fn after(&self, repaired: &mut Repaired, rules: Rules) -> Result<CheckDocument, Failure> {
         let report = match repaired.topology.take() {
             Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, rules),
-            None => check(&repaired.mesh, &CheckOptions { rules, ..CheckOptions::default() })
+            None => check(&repaired.mesh, &CheckOptions::default().with_rules(rules))
                 .map_err(|error| Failure::of_pass(&name(&self.input), &error))?,
         };
         Ok(CheckDocument::new(report, self.limit))
