@@ -59,7 +59,7 @@ pub struct CutSeam {
 /// ```
 ///
 /// # Errors
-/// When an edge is none of the mesh's, or ends in a vertex that no surface has.
+/// When the mesh does not have an edge, or an edge ends in a vertex that no surface has.
 ///
 /// *Cost*: linear in the mesh, and O(d log d) for each vertex of degree d on the cut.
 pub fn cut_open(mesh: &PolygonMesh, edges: &[EdgeId]) -> Result<CutOpen, CutError> {

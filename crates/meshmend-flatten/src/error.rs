@@ -21,7 +21,7 @@ pub enum FlattenError {
         /// The face.
         face: FaceId,
     },
-    /// A boundary is too short for a square, or has not the corners that were asked for.
+    /// A boundary is too short for a square, or does not have the corners that were asked for.
     #[error("the boundary at {vertex} has not the four vertices that a square needs")]
     NoSquare {
         /// Its lowest vertex.

@@ -4,7 +4,7 @@
 //! when no vertex has that position once it is stored, and none is so near that the two would be taken for one.
 //!
 //! * On an edge or a diagonal: the first free point of 1/2, 1/3, 2/3, 1/4, … 63/64 of the way.
-//! * If none is free: the first free point beside the middle, along the axis in which the edge is shortest, one step
+//! * If no such point is free: the first free point beside the middle, along the axis in which the edge is shortest, one step
 //!   away, two steps away, and so on. A step is one unit in the last place, or twice the tolerance. There always
 //!   is such a point.
 

@@ -81,7 +81,7 @@ impl QuadEdge {
         self.hole_count
     }
 
-    /// Which hole lies beside a side, numbered by lowest edge; none for a side with an opposite.
+    /// Which hole lies beside a side, numbered by lowest edge; `None` for a side with an opposite.
     ///
     /// *Cost*: constant.
     pub fn hole_beside(&self, corner: CornerId) -> Option<usize> {

@@ -81,7 +81,7 @@ impl Aspect {
 pub struct Differences(u8);
 
 impl Differences {
-    /// Adds an aspect.
+    /// Adds an aspect to the set.
     pub fn add(&mut self, aspect: Aspect) {
         self.0 |= 1 << aspect as u8;
     }

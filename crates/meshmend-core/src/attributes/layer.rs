@@ -99,7 +99,7 @@ impl Layer {
         }
     }
 
-    /// A layer in which element `i` uses value `uses[i]` of the pool, or none where that is [`NO_VALUE`].
+    /// A layer in which element `i` uses value `uses[i]` of the pool, or has no value if that is [`NO_VALUE`].
     pub fn indexed(
         name: impl Into<String>,
         domain: Domain,
@@ -190,7 +190,7 @@ impl Layer {
         })
     }
 
-    /// Whether two elements have the same value to the bit, or both none.
+    /// Whether two elements have the same value to the bit, or neither has one.
     pub fn agree(&self, one: usize, other: usize) -> bool {
         self.same_value(self.use_of(one), self.use_of(other))
     }
@@ -271,7 +271,7 @@ impl Layer {
             && self.values.are_opposite(value * width, &other.values, other_value * width, width)
     }
 
-    /// A layer of other elements over the same pool: element `i` uses value `uses[i]`, or none where that is [`NO_VALUE`].
+    /// A layer of other elements over the same pool: element `i` uses value `uses[i]`, or has no value if that is [`NO_VALUE`].
     ///
     /// *Cost*: the pool is shared.
     pub fn over_same_values(

@@ -39,7 +39,7 @@ pub(crate) fn turned(layer: &Layer, faces: &FaceTable, flipped: &[FaceId]) -> Op
 }
 
 /// How many stored normals of a mesh that came of another were turned with their faces: one a corner of a flipped
-/// face, or one a face where the layer is one of faces. Told by the values, whatever the policy was.
+/// face, or one a face where the layer is one of faces. The values show it, whatever the policy was.
 ///
 /// *Cost*: linear in the corners of flipped faces, times the layers of normals.
 pub fn turned_normals(before: &PolygonMesh, after: &PolygonMesh, record: &Provenance) -> usize {

@@ -61,7 +61,7 @@ pub struct Loose {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum DraftError {
-    /// A list has not one entry for each element.
+    /// A list does not have one entry for each element.
     #[error("a draft has {}, but needs {expected}", counted(found, what))]
     Count {
         /// What it lists, in the singular.

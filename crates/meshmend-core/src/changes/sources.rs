@@ -2,7 +2,7 @@
 
 use crate::Id;
 
-/// For each new element the old one that it is, or nothing when it was created.
+/// For each new element the old one that it is; `None` if it was created.
 #[derive(Clone, Debug)]
 pub struct Sources<I> {
     count: usize,

@@ -1,4 +1,4 @@
-//! A vertex with a coordinate that is infinite or no number.
+//! A vertex with a coordinate that is infinite or not a number.
 
 use super::{Defect, DefectKind, Element, Found, Listed, Rule, Severity};
 use crate::VertexId;
@@ -16,7 +16,7 @@ pub(super) const RULE: Rule = Rule {
 };
 
 impl Defect {
-    /// A vertex with a coordinate that is infinite or no number.
+    /// A vertex with a coordinate that is infinite or not a number.
     pub fn non_finite_vertex(vertex: VertexId) -> Self {
         Defect::new(DefectKind::NonFiniteVertex, Element::Vertex(vertex))
     }

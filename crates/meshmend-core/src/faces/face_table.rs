@@ -211,7 +211,7 @@ impl FaceTable {
         }
     }
 
-    /// The faces' starts and one more, or nothing when every face is a triangle.
+    /// Where each face's corners begin, and one more; `None` if every face is a triangle.
     pub fn starts(&self) -> Option<&[u32]> {
         self.starts.as_deref()
     }

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::equal_keys::{CHUNK, lowest_of_equal};
 use crate::vector::{Point, is_finite, place_bits};
 
-/// For each vertex the lowest one at the same position: −0 equals 0, and what is not finite equals nothing.
+/// For each vertex the lowest one at the same position: −0 equals 0, and a position that is not finite equals no other.
 ///
 /// *Cost*: linear; 20 bytes a vertex, and 36 for each that equals another one in single precision alone.
 pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {

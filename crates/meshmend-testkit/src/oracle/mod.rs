@@ -104,7 +104,7 @@ pub struct Instigators {
 pub struct Findings {
     /// Vertices in no face of the complex.
     pub unreferenced_vertices: Vec<u32>,
-    /// Vertices with a coordinate that is infinite or no number.
+    /// Vertices with a coordinate that is infinite or not a number.
     pub non_finite_vertices: Vec<u32>,
     /// Faces with fewer than three different vertices.
     pub degenerate_faces: Vec<u32>,

@@ -38,7 +38,7 @@ pub struct Betti {
 /// A face figure is absent where β₂ over ℤ/2 is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Instigators {
-    /// Vertices that negate anything: none.
+    /// Vertices that negate anything: always 0.
     pub v_n: u64,
     /// Vertices that create a component: all.
     pub v_c: u64,

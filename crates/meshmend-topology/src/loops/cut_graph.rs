@@ -43,7 +43,7 @@ pub struct CutGraph {
 /// ```
 ///
 /// # Errors
-/// When the root is in no face, or there is not one length for each edge.
+/// When no face has the root, or there are more or fewer lengths than edges.
 ///
 /// *Cost*: that of [`generators`](crate::generators()).
 pub fn cut_graph<K: Connectivity>(

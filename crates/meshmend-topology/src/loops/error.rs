@@ -9,10 +9,10 @@ use crate::ComponentId;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum GeneratorError {
-    /// The root that was asked for is in no face.
+    /// No face has the root that was asked for.
     #[error("{0} is in no face, so no path begins there")]
     NoSuchRoot(VertexId),
-    /// There is not one length for each edge.
+    /// There are more or fewer lengths than edges.
     #[error("there are {found} lengths for {expected} edges")]
     Lengths {
         /// How many lengths there are.

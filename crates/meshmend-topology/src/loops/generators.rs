@@ -38,7 +38,7 @@ pub struct Generators {
 /// ```
 ///
 /// # Errors
-/// When the root is in no face, or there is not one length for each edge; or when the count is not β₁, which is a
+/// When no face has the root, or there are more or fewer lengths than edges; or when the count is not β₁, which is a
 /// mistake of this program.
 ///
 /// *Cost*: O(n log n), times the number of roots that are tried; about 60 bytes a vertex beside what the questions

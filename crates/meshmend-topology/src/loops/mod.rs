@@ -11,7 +11,7 @@
 //!
 //! The [`cut_graph`] are the edges that a tree of the faces alone does not cross, less what ends blindly.
 //!
-//! Only ids decide, so every kernel gives the same answer. A component that is not a surface gets none, and the
+//! Only ids decide, so every kernel gives the same answer. A component that is not a surface gets no generators, and the
 //! reason.
 //!
 //! *Source*: D. Eppstein, *Dynamic generators of topologically embedded graphs*, 2003; J. Erickson, K. Whittlesey,

@@ -143,7 +143,7 @@ pub(crate) struct TwistedPatches {
 }
 
 impl TwistedPatches {
-    /// *Cost*: nothing where all patches are orientable; else one pass over the edges.
+    /// *Cost*: constant if all patches are orientable; else one pass over the edges.
     pub(crate) fn of<K: Connectivity>(
         kernel: &K,
         patches: &Patches,

@@ -47,7 +47,7 @@ pub struct OneSidedLoop {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// *Cost*: nothing where all patches are orientable; else that of [`seams`](crate::seams) and O(k n log n) for a seam
+/// *Cost*: constant if all patches are orientable; else that of [`seams`](crate::seams) and O(k n log n) for a seam
 /// of k edges, or k times the faces within half a loop's length; at most [`ONE_SIDED_BUDGET`] looks.
 pub fn one_sided_loops<K: Connectivity>(kernel: &K, patches: &Patches) -> Vec<OneSidedLoop> {
     shortest(kernel, patches, None, ONE_SIDED_BUDGET)

@@ -59,7 +59,7 @@ impl Orientability {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// *Cost*: nothing where all patches are orientable; else linear in the corners of those that are not, with a
+/// *Cost*: constant if all patches are orientable; else linear in the corners of those that are not, with a
 /// logarithm for each contradicting edge, and 12 bytes a face.
 pub fn orientability<K: Connectivity>(kernel: &K, patches: &Patches) -> Orientability {
     let mut twisted = patches.ids().filter(|&patch| !patches.is_orientable(patch)).peekable();

@@ -57,7 +57,7 @@ pub struct Seam {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// *Cost*: nothing where all patches are orientable; else O(n log n), with at most a fixed number of looks at each
+/// *Cost*: constant if all patches are orientable; else O(n log n), with at most a fixed number of looks at each
 /// side of those that are not.
 pub fn seams<K: Connectivity>(kernel: &K, patches: &Patches) -> Vec<Seam> {
     of_twisted(patches, &TwistedPatches::of(kernel, patches, None))
