@@ -5,23 +5,24 @@
 
 use meshmend_tests::contributing::Example;
 
-const FORMAT: Example<'_> = Example {
-    files: &["crates/meshmend-io/src/formats/toy/facts.rs", "crates/meshmend-io/src/formats/toy/mod.rs"],
-    registry: "crates/meshmend-io/src/formats/rows.rs",
-    rows: &[
-        "            /// The example of CONTRIBUTING.",
-        "            #[cfg(test)]",
-        "            Toy => toy,",
-    ],
-    word: "toy",
-};
+fn example() -> Example {
+    let folder = "crates/meshmend-io/src/formats";
+    let rows = ["/// The example of CONTRIBUTING.", "#[cfg(test)]", "Toy => toy,"];
+    Example {
+        files: ["facts", "mod"].map(|file| format!("{folder}/toy/{file}.rs")).to_vec(),
+        registry: format!("{folder}/rows.rs"),
+        above: "            Off => off,".to_owned(),
+        rows: rows.map(|row| format!("            {row}")).to_vec(),
+        word: "toy".to_owned(),
+    }
+}
 
 #[test]
 fn the_diff_that_is_shown_is_true() {
-    FORMAT.assert_shown();
+    example().assert_shown();
 }
 
 #[test]
 fn a_format_is_one_folder_and_one_row() {
-    FORMAT.assert_said_nowhere_else("tests/own_format.rs");
+    example().assert_said_nowhere_else(&["tests/own_format.rs"]);
 }

@@ -3,9 +3,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "these are tests")]
 
-use meshmend_cli::{Console, Program, Status};
+use meshmend_cli::{Program, Status};
 use meshmend_core::Rules;
-use meshmend_tests::example::Example;
+use meshmend_tests::contributing::Example;
+use meshmend_tests::in_process;
 use meshmend_tests::scratch::Scratch;
 use serde_json::{Value, json};
 
@@ -25,19 +26,7 @@ own_rules! {
 
 /// How a run of the program with these rules ended, and what it printed.
 fn run(arguments: &[&str]) -> (Status, String, String) {
-    let (mut out, mut errors) = (Vec::new(), Vec::new());
-    let mut console = Console::of(&mut out, &mut errors);
-    let program = Program::default().with_rules(rules());
-    let status = program.run([&["meshmend"], arguments].concat(), &mut console);
-    drop(console);
-    (status, String::from_utf8(out).unwrap(), String::from_utf8(errors).unwrap())
-}
-
-/// Makes a file, and gives its path as an argument.
-fn file(scratch: &Scratch, name: &str, content: &str) -> String {
-    let path = scratch.path().join(name);
-    std::fs::write(&path, content).unwrap();
-    path.to_str().unwrap().to_owned()
+    in_process::run(Program::default().with_rules(rules()), arguments)
 }
 
 /// A disc of so many triangles round `v0`.
@@ -56,7 +45,7 @@ fn fan(triangles: usize) -> String {
 #[test]
 fn a_check_lists_it_with_the_faces_round_it() {
     let scratch = Scratch::new();
-    let (crowded, roomy) = (file(&scratch, "crowded.obj", &fan(13)), file(&scratch, "roomy.obj", &fan(12)));
+    let (crowded, roomy) = (scratch.file("crowded.obj", &fan(13)), scratch.file("roomy.obj", &fan(12)));
     let (status, text, _) = run(&["check", &crowded, "--limit", "3"]);
     assert_eq!(status, Status::Done);
     let item = "    v0 has 13 corners, at (0, 0, 0); faces f0 f1 f2 … and 10 more\n";
@@ -68,7 +57,7 @@ fn a_check_lists_it_with_the_faces_round_it() {
 #[test]
 fn json_has_it_in_the_form_of_all_kinds() {
     let scratch = Scratch::new();
-    let crowded = file(&scratch, "crowded.obj", &fan(13));
+    let crowded = scratch.file("crowded.obj", &fan(13));
     let (_, text, _) = run(&["check", "--json", "--limit", "1", &crowded]);
     let document: Value = serde_json::from_str(&text).unwrap();
     let groups = document["defects"].as_array().unwrap();
@@ -91,7 +80,7 @@ fn json_has_it_in_the_form_of_all_kinds() {
 #[test]
 fn it_is_explained_and_fails_a_check_when_it_is_named() {
     let scratch = Scratch::new();
-    let (crowded, roomy) = (file(&scratch, "crowded.obj", &fan(13)), file(&scratch, "roomy.obj", &fan(12)));
+    let (crowded, roomy) = (scratch.file("crowded.obj", &fan(13)), scratch.file("roomy.obj", &fan(12)));
     let code = rules().own().next().unwrap().code();
     assert_eq!(run(&["check", &crowded, "--fail-on", code]).0, Status::DefectsFound);
     assert_eq!(run(&["check", &roomy, "--fail-on", code]).0, Status::Done);
@@ -106,7 +95,7 @@ fn it_is_explained_and_fails_a_check_when_it_is_named() {
 #[test]
 fn a_repair_reports_it_before_and_after() {
     let scratch = Scratch::new();
-    let crowded = file(&scratch, "crowded.obj", &fan(13));
+    let crowded = scratch.file("crowded.obj", &fan(13));
     let (status, text, errors) = run(&["repair", &crowded, "--dry-run", "--json"]);
     assert_eq!(status, Status::Done, "{errors}");
     let document: Value = serde_json::from_str(&text).unwrap();
@@ -117,14 +106,16 @@ fn a_repair_reports_it_before_and_after() {
     }
 }
 
-const EXAMPLE: Example = Example { folder: "tests/own_defect", registry: "own_rules" };
+fn example() -> Example {
+    Example::beside_main("tests/own_defect", "own_rules")
+}
 
 #[test]
 fn the_diff_that_is_shown_is_true() {
-    EXAMPLE.assert_shown();
+    example().assert_shown();
 }
 
 #[test]
 fn a_kind_is_one_file_and_one_row() {
-    EXAMPLE.assert_one_file_and_one_row();
+    example().assert_said_nowhere_else(&[]);
 }

@@ -3,10 +3,11 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "these are tests")]
 
-use meshmend_cli::{Console, Program, Status};
+use meshmend_cli::{Program, Status};
 use meshmend_repair::{PassKind, Passes, Pipeline, Plan};
 use meshmend_testkit::Soup;
-use meshmend_tests::example::Example;
+use meshmend_tests::contributing::Example;
+use meshmend_tests::in_process;
 use meshmend_tests::scratch::Scratch;
 use serde_json::Value;
 
@@ -31,19 +32,7 @@ fn own() -> PassKind {
 
 /// How a run of the program with these passes ended, and what it printed.
 fn run(arguments: &[&str]) -> (Status, String, String) {
-    let (mut out, mut errors) = (Vec::new(), Vec::new());
-    let mut console = Console::of(&mut out, &mut errors);
-    let program = Program::default().with_passes(passes());
-    let status = program.run([&["meshmend"], arguments].concat(), &mut console);
-    drop(console);
-    (status, String::from_utf8(out).unwrap(), String::from_utf8(errors).unwrap())
-}
-
-/// Makes a file, and gives its path as an argument.
-fn file(scratch: &Scratch, name: &str, content: &str) -> String {
-    let path = scratch.path().join(name);
-    std::fs::write(&path, content).unwrap();
-    path.to_str().unwrap().to_owned()
+    in_process::run(Program::default().with_passes(passes()), arguments)
 }
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -51,7 +40,7 @@ const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 /// The passes that a dry repair of a triangle with these options runs.
 fn passes_run(options: &[&str]) -> Vec<String> {
     let scratch = Scratch::new();
-    let triangle = file(&scratch, "triangle.obj", TRIANGLE);
+    let triangle = scratch.file("triangle.obj", TRIANGLE);
     let (status, text, errors) = run(&[&["repair", &triangle, "--dry-run", "--json"], options].concat());
     assert_eq!(status, Status::Done, "{errors}");
     let document: Value = serde_json::from_str(&text).unwrap();
@@ -77,12 +66,10 @@ fn its_option_has_it_run_at_its_place() {
 #[test]
 fn a_plan_names_it_with_its_options() {
     let scratch = Scratch::new();
-    let (name, triangle) = (own().name(), file(&scratch, "triangle.obj", TRIANGLE));
-    let plan =
-        file(&scratch, "plan.toml", &format!("passes = ['weld', '{name}']\n[{name}]\ndepth = 'deep'\n"));
+    let (name, triangle) = (own().name(), scratch.file("triangle.obj", TRIANGLE));
+    let plan = scratch.file("plan.toml", &format!("passes = ['weld', '{name}']\n[{name}]\ndepth = 'deep'\n"));
     assert_eq!(passes_run(&["--plan", &plan]), ["weld", name]);
-    let wrong =
-        file(&scratch, "wrong.toml", &format!("passes = ['{name}']\n\n[{name}]\ndepth = 'forever'\n"));
+    let wrong = scratch.file("wrong.toml", &format!("passes = ['{name}']\n\n[{name}]\ndepth = 'forever'\n"));
     let (status, _, errors) = run(&["repair", &triangle, "--dry-run", "--plan", &wrong]);
     assert_eq!(status, Status::Usage);
     assert!(errors.contains("line 3") && errors.contains("unknown variant `forever`"), "{errors}");
@@ -98,7 +85,7 @@ fn a_plan_names_it_with_its_options() {
 #[test]
 fn a_report_and_explain_say_what_it_does() {
     let scratch = Scratch::new();
-    let (name, triangle) = (own().name(), file(&scratch, "triangle.obj", TRIANGLE));
+    let (name, triangle) = (own().name(), scratch.file("triangle.obj", TRIANGLE));
     let (_, text, _) = run(&["repair", &triangle, "--dry-run", &format!("--{name}"), "light"]);
     assert!(text.contains(&format!("  {name:<12}nothing to do")), "{text}");
     let (status, text, _) = run(&["explain", name]);
@@ -118,14 +105,16 @@ fn it_enters_a_pipeline() {
     assert_eq!(names(at_its_place)[5], own().name());
 }
 
-const EXAMPLE: Example = Example { folder: "tests/own_pass", registry: "own_passes" };
+fn example() -> Example {
+    Example::beside_main("tests/own_pass", "own_passes")
+}
 
 #[test]
 fn the_diff_that_is_shown_is_true() {
-    EXAMPLE.assert_shown();
+    example().assert_shown();
 }
 
 #[test]
 fn a_pass_is_one_file_and_one_row() {
-    EXAMPLE.assert_one_file_and_one_row();
+    example().assert_said_nowhere_else(&[]);
 }

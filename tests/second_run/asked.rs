@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use meshmend_cli::{Console, Status};
+use meshmend_cli::{Program, Status};
+use meshmend_tests::in_process;
 use meshmend_tests::scratch::Scratch;
 use serde_json::Value;
 
@@ -77,19 +78,15 @@ impl Asked {
         to: &Path,
         further: &[&str],
     ) -> Result<(Vec<u8>, Value), (Status, String)> {
-        let (mut out, mut errors) = (Vec::new(), Vec::new());
-        let mut words: Vec<&str> =
-            vec!["meshmend", "repair", from.to_str().unwrap(), "-o", to.to_str().unwrap()];
+        let mut words: Vec<&str> = vec!["repair", from.to_str().unwrap(), "-o", to.to_str().unwrap()];
         words.extend(["--json", "--limit", "3"]);
         words.extend(&self.options);
         words.extend(further);
-        let mut console = Console::of(&mut out, &mut errors);
-        let status = meshmend_cli::run(words, &mut console);
-        drop(console);
+        let (status, out, errors) = in_process::run(Program::default(), &words);
         if status != Status::Done {
-            return Err((status, String::from_utf8_lossy(&errors).into_owned()));
+            return Err((status, errors));
         }
-        Ok((std::fs::read(to).unwrap(), serde_json::from_slice(&out).unwrap()))
+        Ok((std::fs::read(to).unwrap(), serde_json::from_str(&out).unwrap()))
     }
 
     /// What the report on the result says that it must not.

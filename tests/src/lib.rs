@@ -7,7 +7,7 @@
 //! * [`contributing`]: the page for contributors beside the files that it shows.
 //! * [`corpus`]: the corpus and what its manifest says of each file.
 //! * [`each`]: one question to many files, with all that is wrong in one failure.
-//! * [`example`]: examples that CONTRIBUTING shows, held to what it says of them.
+//! * [`in_process`]: the program in the process of the test.
 //! * [`shared`]: the folder beside the workspace.
 //! * [`judge`]: the independent checker, over many files in one run.
 //! * [`program`]: the `meshmend` binary.
@@ -21,7 +21,7 @@
 pub mod contributing;
 pub mod corpus;
 pub mod each;
-pub mod example;
+pub mod in_process;
 pub mod judge;
 pub mod program;
 pub mod scratch;

@@ -22,6 +22,13 @@ impl Scratch {
         &self.0
     }
 
+    /// Makes a file in it, and gives its path as an argument of a command.
+    pub fn file(&self, name: &str, content: &str) -> String {
+        let path = self.0.join(name);
+        std::fs::write(&path, content).expect("the file can be written");
+        path.to_str().expect("a path that is text").to_owned()
+    }
+
     /// The names of the files in it, sorted.
     pub fn file_names(&self) -> Vec<String> {
         let entries = std::fs::read_dir(&self.0).expect("the folder is there");
