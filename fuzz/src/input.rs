@@ -229,16 +229,23 @@ impl<'a> Arbitrary<'a> for Work {
 
 /// Chooses what `any_plan` leaves out: the options of the rows of all passes, so that a new one is covered.
 fn choose_the_rest(plan: &mut Plan, u: &mut Unstructured<'_>) -> Result<()> {
-    let chosen =
-        ["distance", "non-finite", "repeated", "side", "non-orientable", "duplicates", "edges", "faces"];
-    let loose = ["loose-edges", "loose-points"];
-    for kind in Passes::builtin().kinds() {
-        for option in kind.row().options {
-            let OptionValues::Words(words) = option.values else { continue };
-            for key in option.sets.iter().filter(|key| !chosen.contains(key) && !loose.contains(key)) {
-                let word = u.choose(words)?;
-                plan.set(kind, key, word.value).expect("a word of the row");
-            }
+    let chosen = [
+        "distance",
+        "non-finite",
+        "repeated",
+        "side",
+        "non-orientable",
+        "duplicates",
+        "edges",
+        "faces",
+        "loose-edges",
+        "loose-points",
+    ];
+    for (kind, option) in Passes::builtin().options() {
+        let OptionValues::Words(words) = option.values else { continue };
+        for key in option.sets.iter().filter(|key| !chosen.contains(key)) {
+            let word = u.choose(words)?;
+            plan.set(kind, key, word.value).expect("a word of the row");
         }
     }
     Ok(())

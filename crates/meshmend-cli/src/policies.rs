@@ -45,11 +45,7 @@ struct Said {
 
 /// A command with the options of these passes.
 pub(crate) fn with_options(command: Command, passes: Passes) -> Command {
-    let options = passes
-        .kinds()
-        .into_iter()
-        .flat_map(|pass| pass.row().options.iter().map(move |option| (pass, option)));
-    options.fold(command, |command, (pass, option)| command.arg(argument(pass, option)))
+    passes.options().fold(command, |command, (pass, option)| command.arg(argument(pass, option)))
 }
 
 fn argument(pass: PassKind, option: &'static PassOption) -> Arg {
@@ -71,15 +67,10 @@ impl Policies {
     /// Takes over what a command line says of the options of these passes.
     pub(crate) fn take(&mut self, matches: &ArgMatches, passes: Passes) {
         self.passes = passes;
-        for pass in passes.kinds() {
-            let word = |option: &PassOption| matches.get_one::<String>(option.name).cloned();
-            let said = pass
-                .row()
-                .options
-                .iter()
-                .filter_map(|option| Some(Said { pass, option, word: word(option)? }));
-            self.said.extend(said);
-        }
+        let word = |option: &PassOption| matches.get_one::<String>(option.name).cloned();
+        let said =
+            passes.options().filter_map(|(pass, option)| Some(Said { pass, option, word: word(option)? }));
+        self.said.extend(said);
     }
 
     /// The file that the plan is read from.

@@ -56,7 +56,7 @@ impl fmt::Display for EmptyingCause {
         write!(f, "{}: {}", self.reason.title(), self.count)?;
         match &self.option {
             Some(option) => write!(f, ", because of {option}"),
-            None if matches!(self.pass, PassKind::Own(_)) => write!(f, ", by {}", self.pass),
+            None if self.pass.is_own() => write!(f, ", by {}", self.pass),
             None => write!(f, ", as stored"),
         }
     }

@@ -41,7 +41,7 @@ pub trait Pass: Any + fmt::Debug + Send + Sync {
     /// Whether the pass finds nothing to do in what it has made. Only such passes run again where a pipeline goes on in rounds
     /// until a second run would change nothing; any other pass of another crate runs once.
     fn is_idempotent(&self) -> bool {
-        !matches!(self.kind(), PassKind::Own(_))
+        !self.kind().is_own()
     }
     /// How far apart vertices of a mesh may be that the pass joins.
     fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {

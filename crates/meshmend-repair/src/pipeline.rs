@@ -152,8 +152,8 @@ impl Pipeline {
         if same.peek().is_some() {
             same.for_each(|other| *other = pass.clone());
         } else {
-            let later = self.given.iter().position(|other| other.kind() > pass.kind());
-            self.given.insert(later.unwrap_or(self.given.len()), pass);
+            let place = pass.kind().usual_place(self.given.iter().map(AnyPass::kind));
+            self.given.insert(place, pass);
         }
         Pipeline { passes: as_they_run(&self.given), ..self }
     }

@@ -98,8 +98,7 @@ impl Plan {
     /// Has a pass run: where it does, or at its usual place.
     pub fn with(mut self, pass: PassKind) -> Self {
         if !self.passes.contains(&pass) {
-            let at = self.passes.iter().position(|&other| other > pass).unwrap_or(self.passes.len());
-            self.passes.insert(at, pass);
+            self.passes.insert(pass.usual_place(self.passes.iter().copied()), pass);
         }
         self
     }

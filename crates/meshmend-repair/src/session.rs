@@ -53,7 +53,7 @@ pub struct Session<'a> {
     progress: Option<Box<dyn FnMut(PassKind) + 'a>>,
     cancel: Option<&'a AtomicBool>,
     takes_figures: bool,
-    pub(crate) aim: Aim,
+    aim: Aim,
     /// The passes that were applied, in order.
     applied: Vec<AnyPass>,
     records: Vec<PassRecord>,
@@ -259,9 +259,10 @@ impl<'a> Session<'a> {
             || !outcome.fixed.is_empty()
             || !outcome.mesh.is_copy_of(&self.mesh);
         if is_changed {
-            self.name_removed_faces(kind, &outcome)?;
+            let removed = self.removed_by(kind, &outcome)?;
+            self.removed_faces.extend(removed);
             self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
-            self.since_moved = if matches!(kind, PassKind::Own(_)) && moves(&self.mesh, &outcome) {
+            self.since_moved = if kind.is_own() && moves(&self.mesh, &outcome) {
                 Some(History::begin(&outcome.mesh))
             } else {
                 let since = self.since_moved.take();
@@ -346,8 +347,8 @@ impl<'a> Session<'a> {
         self.takes_figures.then(of_mesh)
     }
 
-    /// Finds, for each face of which this pass left nothing, the defect that names it.
-    fn name_removed_faces(&mut self, pass: PassKind, outcome: &Outcome) -> Result<(), PassError> {
+    /// Each face of which this pass left nothing, with the defect that names it.
+    fn removed_by(&self, pass: PassKind, outcome: &Outcome) -> Result<Vec<RemovedFace>, PassError> {
         let mut reasons: Vec<(FaceId, DefectKind)> = outcome
             .fixed
             .listed()
@@ -357,20 +358,21 @@ impl<'a> Session<'a> {
         reasons.sort_unstable();
         let mut differed = outcome.differed.clone();
         differed.sort_unstable();
+        let mut removed = Vec::new();
         for face in outcome.provenance.removed_faces() {
             let at = reasons.partition_point(|(named, _)| *named < face);
             let named = reasons.get(at).filter(|(named, _)| *named == face);
             let Some(stored) = self.history.provenance().faces.of(face) else { continue };
-            let reason = match (named, pass) {
-                (Some((_, kind)), _) => *kind,
-                (None, PassKind::Own(_)) => return Err(PassError::Unnamed { pass: pass.name(), face }),
-                (None, _) => DefectKind::DegenerateFace,
+            let reason = match named {
+                Some((_, kind)) => *kind,
+                None if pass.is_own() => return Err(PassError::Unnamed { pass: pass.name(), face }),
+                None => DefectKind::DegenerateFace,
             };
             let place = differed.binary_search_by_key(&face, |(named, _)| *named);
             let differed = place.map_or(Differences::default(), |place| differed[place].1);
-            self.removed_faces.push(RemovedFace { face: stored, pass, reason, differed });
+            removed.push(RemovedFace { face: stored, pass, reason, differed });
         }
-        Ok(())
+        Ok(removed)
     }
 }
 
@@ -390,5 +392,5 @@ fn removed_face(pass: PassKind, defect: &Defect) -> Option<FaceId> {
             | DefectKind::DuplicateFace
             | DefectKind::OppositeFace
     );
-    if is_reason || matches!(pass, PassKind::Own(_)) { defect.at.face() } else { None }
+    if is_reason || pass.is_own() { defect.at.face() } else { None }
 }

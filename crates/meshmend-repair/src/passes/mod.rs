@@ -9,7 +9,7 @@ use serde::de::MapAccess;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::{Emptying, Pass, PassRow, PlanError};
+use crate::{Emptying, Pass, PassOption, PassRow, PlanError};
 
 macro_rules! passes {
     ($($file:ident: $variant:ident $(, $option:ident)*;)*) => {
@@ -167,6 +167,17 @@ impl PassKind {
         self.row().form.defaults()
     }
 
+    /// Whether it is a pass of another crate.
+    pub fn is_own(self) -> bool {
+        matches!(self, PassKind::Own(_))
+    }
+
+    /// Its usual place among passes that run in some order: before the first that usually comes later.
+    pub(crate) fn usual_place(self, mut among: impl ExactSizeIterator<Item = PassKind>) -> usize {
+        let count = among.len();
+        among.position(|other| other > self).unwrap_or(count)
+    }
+
     /// What orders passes as they usually run.
     fn place(self) -> (usize, &'static str) {
         let at = |kind: PassKind| Self::ALL.iter().position(|other| other.name() == kind.name());
@@ -285,6 +296,11 @@ impl Passes {
         kinds
     }
 
+    /// The options of all passes, each with its pass.
+    pub fn options(self) -> impl Iterator<Item = (PassKind, &'static PassOption)> {
+        self.kinds().into_iter().flat_map(|kind| kind.row().options.iter().map(move |option| (kind, option)))
+    }
+
     /// The passes that meshmend does not have of itself.
     pub fn own(self) -> impl Iterator<Item = PassKind> {
         self.own.iter().map(|&row| PassKind::Own(row))
@@ -320,18 +336,14 @@ mod tests {
     #[test]
     fn every_word_of_an_option_is_one_of_a_plan() {
         let mut count = 0;
-        for &kind in PassKind::ALL {
-            for option in kind.row().options {
-                let OptionValues::Words(words) = option.values else { continue };
-                for (key, word) in
-                    option.sets.iter().flat_map(|key| words.iter().map(move |word| (key, word)))
-                {
-                    let mut plan = Plan::default();
-                    plan.set(kind, key, word.value).unwrap();
-                    let table = kind.row().form.write(plan.builtin(kind).unwrap().as_pass()).unwrap();
-                    assert_eq!(table[*key].as_str(), Some(word.value), "{kind} {key}");
-                    count += 1;
-                }
+        for (kind, option) in Passes::builtin().options() {
+            let OptionValues::Words(words) = option.values else { continue };
+            for (key, word) in option.sets.iter().flat_map(|key| words.iter().map(move |word| (key, word))) {
+                let mut plan = Plan::default();
+                plan.set(kind, key, word.value).unwrap();
+                let table = kind.row().form.write(plan.builtin(kind).unwrap().as_pass()).unwrap();
+                assert_eq!(table[*key].as_str(), Some(word.value), "{kind} {key}");
+                count += 1;
             }
         }
         assert!(count > 20, "{count}");
