@@ -59,6 +59,11 @@ impl<I: Id, T> Column<I, T> {
         self.values
     }
 
+    /// How many elements have a place.
+    pub(crate) fn capacity(&self) -> usize {
+        self.values.capacity()
+    }
+
     /// Bytes on the heap, for values that own nothing themselves.
     pub fn heap_bytes(&self) -> usize {
         self.values.capacity() * size_of::<T>()

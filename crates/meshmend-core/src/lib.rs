@@ -28,6 +28,7 @@ mod error_cases;
 mod faces;
 mod ids;
 mod kernel;
+mod lists;
 mod polygon_mesh;
 mod printable;
 #[cfg(feature = "serde")]
@@ -52,10 +53,11 @@ pub use faces::{
 };
 pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
 pub use kernel::{
-    Build, Capabilities, Connectivity, EdgeClass, EdgeUse, ManifoldConnectivity, Refusal, Umbrellas,
-    VertexClass, admission, edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas,
-    vertex_classes,
+    Adjacency, Array, Build, Capabilities, Cell, Connectivity, Cost, Costs, EdgeClass, EdgeUse, Incidence,
+    Lesson, ManifoldConnectivity, Per, Pointer, Refusal, Target, Umbrellas, VertexClass, admission,
+    edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas, vertex_classes,
 };
+pub use lists::Lists;
 pub use polygon_mesh::{Counts, MeshArrays, MeshError, Metadata, PolygonMesh};
 pub use printable::printable;
 pub use words::counted;

@@ -22,11 +22,9 @@
 //! *Source*: the classical adjacency relations, as in course notes on the storage of polygonal meshes.
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceIndex, Id, VertexId,
+    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceIndex, Id, Lesson, Lists,
+    VertexId,
 };
-
-use crate::lists::Lists;
-use crate::registry::Explained;
 
 /// The adjacency lists of a complex.
 #[derive(Clone, Debug)]
@@ -54,8 +52,8 @@ impl AdjacencyLists {
     }
 }
 
-impl Explained for AdjacencyLists {
-    const EXPLANATION: &'static str = "Every kind of neighbour is written down: the edges and corners of each \
+impl Lesson for AdjacencyLists {
+    const TEXT: &'static str = "Every kind of neighbour is written down: the edges and corners of each \
         vertex, the ends and sides of each edge, the edges of each face. It holds any complex, since lists grow \
         as long as they have to, in 70 bytes a triangle beside the faces themselves. Every query takes constant \
         time for each answer, the neighbours of a vertex included. Source: the classical adjacency relations, \

@@ -30,11 +30,9 @@ use std::slice;
 use std::sync::Arc;
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceTable, Id, VertexId,
+    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceTable, Id, Lesson, Lists,
+    VertexId,
 };
-
-use crate::lists::Lists;
-use crate::registry::Explained;
 
 /// The face-vertex table of a complex.
 #[derive(Clone, Debug)]
@@ -47,8 +45,8 @@ pub struct FaceVertex {
     first_edge: Vec<u32>,
 }
 
-impl Explained for FaceVertex {
-    const EXPLANATION: &'static str = "Faces list their vertices and vertices list their faces; of edges only \
+impl Lesson for FaceVertex {
+    const TEXT: &'static str = "Faces list their vertices and vertices list their faces; of edges only \
         the ends are stored, and which faces run along an edge is found by looking round that end of it which \
         has fewer faces. It holds any complex, in 28 bytes a triangle beside the faces themselves, the least of \
         all kernels. The edge of a side takes a binary search, the sides of an edge a look at every face of one \

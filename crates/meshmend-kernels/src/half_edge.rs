@@ -30,11 +30,9 @@
 use std::iter;
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id,
+    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, Lesson,
     ManifoldConnectivity, VertexId,
 };
-
-use crate::registry::Explained;
 
 /// The half-edge structure of a manifold complex.
 #[derive(Clone, Debug)]
@@ -83,8 +81,8 @@ impl HalfEdge {
     }
 }
 
-impl Explained for HalfEdge {
-    const EXPLANATION: &'static str = "Each edge is split lengthwise into two halves that run opposite ways, one \
+impl Lesson for HalfEdge {
+    const TEXT: &'static str = "Each edge is split lengthwise into two halves that run opposite ways, one \
         for each face it borders; a half knows the next and previous one of its face, its twin, origin, face and \
         edge. It holds manifold, consistently oriented meshes of simple faces, in 84 bytes a triangle. Every \
         query walks from record to record in constant time for each answer, and the corners of a vertex come in \

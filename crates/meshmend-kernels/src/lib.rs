@@ -35,7 +35,6 @@
 mod adjacency_lists;
 mod face_vertex;
 mod half_edge;
-mod lists;
 mod quad_edge;
 mod registry;
 

@@ -37,11 +37,10 @@ mod algebra;
 use std::iter;
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id,
+    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, Lesson,
     ManifoldConnectivity, VertexId,
 };
 
-use crate::registry::Explained;
 use algebra::{Dart, QuadKey, Subdivision};
 
 /// The quad-edge structure of a manifold complex.
@@ -128,8 +127,8 @@ impl QuadEdge {
     }
 }
 
-impl Explained for QuadEdge {
-    const EXPLANATION: &'static str = "Each edge knows the next edge about both of its ends and both of its faces, \
+impl Lesson for QuadEdge {
+    const TEXT: &'static str = "Each edge knows the next edge about both of its ends and both of its faces, \
         on either side of the surface: vertices and faces play the same part, and nothing has to be oriented. It \
         holds any manifold mesh, orientable or not, with faces directed as they please and non-simple ones among \
         them; boundary loops are marked hole faces. It takes 136 bytes a triangle; every query takes constant \

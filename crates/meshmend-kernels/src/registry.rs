@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use meshmend_core::{Build, Capabilities, Complex, Connectivity, Refusal};
+use meshmend_core::{Build, Capabilities, Complex, Connectivity, Lesson, Refusal};
 
 /// A question to ask of a complex, whichever kernel holds it.
 ///
@@ -13,12 +13,6 @@ pub trait KernelTask {
     type Output;
     /// Asks a kernel.
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output;
-}
-
-/// A kernel that can say in a paragraph what it is.
-pub(crate) trait Explained: Connectivity {
-    /// What it stores, what it holds, what it costs, and where it comes from.
-    const EXPLANATION: &'static str;
 }
 
 macro_rules! kernels {
@@ -57,8 +51,8 @@ macro_rules! kernels {
             /// What it stores, what it holds, what it costs, and where it comes from, in a paragraph.
             pub fn explanation(self) -> &'static str {
                 match self {
-                    KernelKind::EdgeUse => EdgeUse::EXPLANATION,
-                    $(KernelKind::$name => $name::EXPLANATION,)*
+                    KernelKind::EdgeUse => EdgeUse::TEXT,
+                    $(KernelKind::$name => $name::TEXT,)*
                 }
             }
 
@@ -101,14 +95,6 @@ impl fmt::Display for KernelKind {
     }
 }
 
-impl Explained for EdgeUse {
-    const EXPLANATION: &'static str = "Each edge lists the face sides that run along it, and each vertex the \
-        corners that stand at it. It holds any complex: a side is a record of its own, so an edge with three \
-        sides is no special case. Every query takes constant time for each answer; 42 bytes a triangle are \
-        shared with the mesh and 14 are its own. The default. Source: the edge uses of K. Weiler, The radial \
-        edge structure, 1988, without the order by angle, which is geometry.";
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
@@ -117,7 +103,7 @@ mod tests {
     use super::*;
 
     /// What the source folder holds beside one file for each kernel.
-    const NO_KERNELS: [&str; 3] = ["lib", "registry", "lists"];
+    const NO_KERNELS: [&str; 2] = ["lib", "registry"];
 
     #[test]
     #[cfg_attr(miri, ignore = "it reads the folder of the sources")]

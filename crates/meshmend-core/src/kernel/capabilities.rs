@@ -29,6 +29,33 @@ impl Capabilities {
         ordered_vertex_stars: false,
     };
 
+    /// Manifold meshes of simple faces of any size, directed as they please.
+    pub const SURFACES: Capabilities = Capabilities {
+        non_simple_faces: false,
+        non_manifold_edges: false,
+        non_manifold_vertices: false,
+        mixed_orientation: true,
+        polygons: true,
+        ordered_vertex_stars: false,
+    };
+
+    /// Manifold meshes of simple faces of any size, each of which agrees with its neighbours.
+    pub const ORIENTED_SURFACES: Capabilities =
+        Capabilities { mixed_orientation: false, ..Capabilities::SURFACES };
+
+    /// Manifold triangle meshes, each of whose faces agrees with its neighbours.
+    pub const TRIANGLES: Capabilities = Capabilities { polygons: false, ..Capabilities::ORIENTED_SURFACES };
+
+    /// Whether all that the other capabilities admit is admitted. The order of stars makes no difference.
+    pub fn holds_all_of(&self, other: &Capabilities) -> bool {
+        self.refused_kinds().all(|kind| other.refused_kinds().any(|refused| refused == kind))
+    }
+
+    /// Whether no admitted edge has three sides or more and each admitted vertex has one umbrella.
+    pub const fn is_manifold(&self) -> bool {
+        !self.non_manifold_edges && !self.non_manifold_vertices
+    }
+
     /// Whether every complex is admitted.
     pub fn is_permissive(&self) -> bool {
         self.non_simple_faces
@@ -36,5 +63,26 @@ impl Capabilities {
             && self.non_manifold_vertices
             && self.mixed_orientation
             && self.polygons
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_holds_more_holds_all_of_what_holds_less() {
+        let ladder = [
+            Capabilities::TRIANGLES,
+            Capabilities::ORIENTED_SURFACES,
+            Capabilities::SURFACES,
+            Capabilities::PERMISSIVE,
+        ];
+        for (more, one) in ladder.iter().enumerate() {
+            for (less, other) in ladder.iter().enumerate() {
+                assert_eq!(one.holds_all_of(other), more >= less, "{one:?} {other:?}");
+            }
+        }
+        assert!(Capabilities::SURFACES.is_manifold() && !Capabilities::PERMISSIVE.is_manifold());
     }
 }

@@ -1,6 +1,8 @@
 //! The questions that every kernel answers.
 
-use crate::{Capabilities, Complex, CornerId, EdgeId, FaceId, Id, VertexId};
+use crate::{
+    Array, Capabilities, Cell, Complex, CornerId, Costs, EdgeId, FaceId, Id, Per, Pointer, VertexId,
+};
 
 /// A way of storing which corners meet where, with the same answers from every implementation.
 ///
@@ -19,6 +21,9 @@ pub trait Connectivity: Sized + Send + Sync {
     const NAME: &'static str;
     /// What it holds and what it offers.
     const CAPABILITIES: Capabilities;
+
+    /// What its answers cost.
+    const COSTS: Costs = Costs::CONSTANT;
 
     /// Builds the index. Only for a complex that [`admission`](crate::admission()) has nothing against: there it
     /// can't fail. [`Build::build`](crate::Build::build) asks first.
@@ -55,6 +60,19 @@ pub trait Connectivity: Sized + Send + Sync {
 
     /// Bytes on the heap that the kernel keeps alive beside the face table itself.
     fn heap_bytes(&self) -> usize;
+
+    /// The arrays that it consists of. Together they are [`heap_bytes`](Connectivity::heap_bytes): arrays of the face
+    /// table itself are not among them. A kernel that does not name them is one array.
+    fn arrays(&self) -> Vec<Array> {
+        vec![Array::new("everything", Per::Corner, 1, self.heap_bytes())]
+    }
+
+    /// The fields of the record that stands for an element, with what they lead to; none where the kernel has no such
+    /// record, or does not name its fields.
+    fn pointers(&self, of: Cell) -> Vec<Pointer> {
+        let _ = of;
+        Vec::new()
+    }
 
     /// Every vertex, ascending.
     fn vertices(&self) -> impl ExactSizeIterator<Item = VertexId> + DoubleEndedIterator + Clone + use<Self> {
@@ -135,6 +153,53 @@ pub trait Connectivity: Sized + Send + Sync {
             Some(one)
         }
     }
+
+    /// The edges at a vertex, each once, ascending.
+    fn vertex_edges(&self, vertex: VertexId) -> impl Iterator<Item = EdgeId> + Clone {
+        let both = |corner| [self.corner_edge(corner), self.corner_edge(self.prev_corner(corner))];
+        let mut edges: Vec<EdgeId> = self.vertex_corners(vertex).flat_map(both).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges.into_iter()
+    }
+
+    /// The vertices that an edge joins to a vertex, each once, ascending: the order of the edges is theirs.
+    fn vertex_neighbours(&self, vertex: VertexId) -> impl Iterator<Item = VertexId> + Clone {
+        self.vertex_edges(vertex).map(move |edge| {
+            let [low, high] = self.edge_ends(edge);
+            if low == vertex { high } else { low }
+        })
+    }
+
+    /// The vertices to which the sides run that begin at a vertex: one for each of its corners, in their order.
+    fn vertex_ring(&self, vertex: VertexId) -> impl Iterator<Item = VertexId> + Clone {
+        self.vertex_corners(vertex).map(|corner| self.corner_target(corner))
+    }
+
+    /// The boundary edge at the other end of a fan of corners: from a boundary edge round one of its vertices, from face
+    /// to face over edges of two sides, whichever way these run.
+    ///
+    /// `None` where the edge is not on the boundary or the vertex is not its end, and where the fan ends at an edge of
+    /// three sides or more.
+    fn next_boundary_edge(&self, edge: EdgeId, at: VertexId) -> Option<EdgeId> {
+        let mut sides = self.edge_corners(edge);
+        let (mut side, None) = (sides.next()?, sides.next()) else { return None };
+        if !self.edge_ends(edge).contains(&at) {
+            return None;
+        }
+        loop {
+            // The side comes to the vertex or leaves it; the face's other side there is the next or the previous one.
+            let leaves = self.corner_vertex(side) == at;
+            side = if leaves { self.prev_corner(side) } else { self.next_corner(side) };
+            let edge = self.corner_edge(side);
+            let mut sides = self.edge_corners(edge);
+            match (sides.next()?, sides.next(), sides.next()) {
+                (_, None, _) => return Some(edge),
+                (one, Some(other), None) => side = if one == side { other } else { one },
+                _ => return None,
+            }
+        }
+    }
 }
 
 /// A kernel whose every edge has one side or two, so that a side has at most one opposite.
@@ -144,5 +209,55 @@ pub trait ManifoldConnectivity: Connectivity {
     #[inline]
     fn opposite(&self, corner: CornerId) -> Option<CornerId> {
         self.across(corner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::{EdgeUse, FaceTable};
+
+    fn kernel(faces: &[[u32; 3]]) -> EdgeUse {
+        let corners = faces.iter().flatten().copied().map(VertexId).collect();
+        EdgeUse::assemble(&Complex::of(&Arc::new(FaceTable::triangles(9, corners).unwrap())))
+    }
+
+    fn next(kernel: &EdgeUse, ends: [u32; 2], at: u32) -> Option<[u32; 2]> {
+        let edge = kernel.edges().find(|&edge| kernel.edge_ends(edge) == ends.map(VertexId)).unwrap();
+        let next = kernel.next_boundary_edge(edge, VertexId(at))?;
+        Some(kernel.edge_ends(next).map(|end| end.0))
+    }
+
+    #[test]
+    fn the_boundary_goes_on_where_the_fan_ends_whichever_way_its_faces_run() {
+        for faces in [[[0, 1, 2], [0, 2, 3], [0, 3, 4]], [[0, 1, 2], [3, 2, 0], [0, 3, 4]]] {
+            let kernel = kernel(&faces);
+            assert_eq!(next(&kernel, [0, 1], 0), Some([0, 4]));
+            assert_eq!(next(&kernel, [0, 4], 0), Some([0, 1]));
+            assert_eq!(next(&kernel, [0, 1], 1), Some([1, 2]));
+            assert_eq!(next(&kernel, [1, 2], 2), Some([2, 3]));
+            assert_eq!(next(&kernel, [0, 2], 0), None, "an edge inside");
+            assert_eq!(next(&kernel, [0, 1], 4), None, "a vertex elsewhere");
+        }
+    }
+
+    #[test]
+    fn each_fan_of_a_pinched_vertex_has_its_own_two_edges_and_a_book_ends_at_its_spine() {
+        let bow_tie = kernel(&[[0, 1, 2], [0, 3, 4]]);
+        assert_eq!([next(&bow_tie, [0, 1], 0), next(&bow_tie, [0, 3], 0)], [Some([0, 2]), Some([0, 4])]);
+        let book = kernel(&[[0, 1, 2], [0, 1, 3], [0, 1, 4]]);
+        assert_eq!(next(&book, [0, 2], 0), None);
+        assert_eq!(next(&book, [0, 2], 2), Some([1, 2]));
+    }
+
+    #[test]
+    fn neighbours_come_once_and_ascending_the_ring_as_the_corners_do() {
+        let kernel = kernel(&[[5, 1, 2], [5, 2, 1], [5, 8, 0]]);
+        assert!(kernel.vertex_neighbours(VertexId(5)).eq([0, 1, 2, 8].map(VertexId)));
+        assert!(kernel.vertex_ring(VertexId(5)).eq([1, 2, 8].map(VertexId)));
+        assert!(kernel.vertex_edges(VertexId(5)).is_sorted());
+        assert_eq!(kernel.vertex_edges(VertexId(3)).count(), 0);
     }
 }

@@ -23,7 +23,9 @@
 use std::sync::Arc;
 
 use crate::edges::vertex_corners::VertexCorners;
-use crate::{Capabilities, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceIndex, VertexId};
+use crate::{
+    Capabilities, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceIndex, Lesson, VertexId,
+};
 
 /// The edge-use table of a complex.
 #[derive(Clone, Debug)]
@@ -31,6 +33,14 @@ pub struct EdgeUse {
     faces: FaceIndex,
     edges: Arc<EdgeTable>,
     vertex_corners: Arc<VertexCorners>,
+}
+
+impl Lesson for EdgeUse {
+    const TEXT: &'static str = "Each edge lists the face sides that run along it, and each vertex the \
+        corners that stand at it. It holds any complex: a side is a record of its own, so an edge with three \
+        sides is no special case. Every query takes constant time for each answer; 42 bytes a triangle are \
+        shared with the mesh and 14 are its own. The default. Source: the edge uses of K. Weiler, The radial \
+        edge structure, 1988, without the order by angle, which is geometry.";
 }
 
 impl Connectivity for EdgeUse {
