@@ -15,9 +15,8 @@
 //! direction has to be chosen for the surface, and there need not be one. Along a boundary the right face is a
 //! *hole*, a face without corners that is numbered after the mesh's own.
 //!
-//! *Layout*: a record an edge (68 bytes, its slot included), a key an edge, an edge a corner, and a place to begin
-//! for each vertex and face: 136 bytes a triangle. The records are in a slot map: a reference is then a key
-//! that can't be taken for any other number, for 4 bytes more each than a plain index.
+//! *Layout*: a record an edge (48 bytes), an edge a corner, and a place to begin for each vertex and face: 92 bytes a
+//! triangle. The record of an edge has the edge's own number, so that a reference to it takes 4 bytes.
 //!
 //! *Admits* manifold meshes, orientable or not, their faces directed as they please, non-simple ones among them:
 //! what follows what is said of sides and never of vertices, so a face may come back to a vertex or an edge as long
@@ -41,16 +40,15 @@ use meshmend_core::{
     ManifoldConnectivity, VertexId,
 };
 
-use algebra::{Dart, QuadKey, Subdivision};
+use algebra::{Dart, Subdivision};
 
 /// The quad-edge structure of a manifold complex.
 #[derive(Clone, Debug)]
 pub struct QuadEdge {
     edges: Subdivision<Labels>,
-    edge_quad: Column<EdgeId, QuadKey>,
     corner_edge: Column<CornerId, EdgeId>,
     /// Where the star begins: a dart out of the vertex with the first corner on its left.
-    vertex_dart: Column<VertexId, Option<Dart>>,
+    vertex_dart: Column<VertexId, Dart>,
     face_corner: Column<FaceId, CornerId>,
     hole_count: usize,
 }
@@ -99,14 +97,14 @@ impl QuadEdge {
     }
 
     fn labels(&self, dart: Dart) -> &Labels {
-        self.edges.label(dart.quad)
+        self.edges.label(dart.edge)
     }
 
     /// A corner's side as a dart with the corner's face on its left, directed as the face runs.
     #[inline]
     fn side_dart(&self, corner: CornerId) -> Dart {
-        let quad = self.edge_quad[self.corner_edge[corner]];
-        self.edges.label(quad).dart(quad, corner)
+        let edge = self.corner_edge[corner];
+        self.edges.label(edge).dart(edge, corner)
     }
 
     /// The side on the left of a dart, whichever way that runs; [`NO_CORNER`] for a hole's.
@@ -119,7 +117,7 @@ impl QuadEdge {
     /// the corner owns the one that its face leaves along.
     fn corner_left_of(&self, dart: Dart) -> CornerId {
         let side = self.side_left_of(dart);
-        if self.labels(dart).dart(dart.quad, side) == dart {
+        if self.labels(dart).dart(dart.edge, side) == dart {
             side
         } else {
             self.side_left_of(self.edges.onext(dart).flip())
@@ -131,7 +129,7 @@ impl Lesson for QuadEdge {
     const TEXT: &'static str = "Each edge knows the next edge about both of its ends and both of its faces, \
         on either side of the surface: vertices and faces play the same part, and nothing has to be oriented. It \
         holds any manifold mesh, orientable or not, with faces directed as they please and non-simple ones among \
-        them; boundary loops are marked hole faces. It takes 136 bytes a triangle; every query takes constant \
+        them; boundary loops are marked hole faces. It takes 92 bytes a triangle; every query takes constant \
         time for each answer, and the corners of a vertex come in rotational order. Source: L. Guibas and J. \
         Stolfi, Primitives for the manipulation of general subdivisions and the computation of Voronoi diagrams, \
         1985.";
@@ -150,12 +148,10 @@ impl Connectivity for QuadEdge {
 
     fn assemble(complex: &Complex) -> Self {
         let (faces, table) = (complex.faces(), complex.edges());
-        let (edges, edge_quad) = make_edges(faces, table);
         let mut kernel = QuadEdge {
-            edges,
-            edge_quad,
+            edges: make_edges(faces, table),
             corner_edge: exactly(faces.corners().map(|c| table.corner_edge(c))).into(),
-            vertex_dart: Column::filled(None, faces.vertex_count()),
+            vertex_dart: Column::filled(Dart::NONE, faces.vertex_count()),
             face_corner: Column::filled(NO_CORNER, faces.face_count()),
             hole_count: 0,
         };
@@ -169,7 +165,7 @@ impl Connectivity for QuadEdge {
         self.vertex_dart.len()
     }
     fn edge_count(&self) -> usize {
-        self.edge_quad.len()
+        self.edges.len()
     }
     fn face_count(&self) -> usize {
         self.face_corner.len()
@@ -202,7 +198,7 @@ impl Connectivity for QuadEdge {
     }
     #[inline]
     fn edge_ends(&self, edge: EdgeId) -> [VertexId; 2] {
-        let [one, other] = self.edges.label(self.edge_quad[edge]).ends;
+        let [one, other] = self.edges.label(edge).ends;
         [one.min(other), one.max(other)]
     }
 
@@ -215,12 +211,12 @@ impl Connectivity for QuadEdge {
     }
     #[inline]
     fn edge_corners(&self, edge: EdgeId) -> impl Iterator<Item = CornerId> + Clone {
-        let sides = self.edges.label(self.edge_quad[edge]).sides;
+        let sides = self.edges.label(edge).sides;
         sides.into_iter().filter(|&side| side != NO_CORNER)
     }
     #[inline]
     fn vertex_corners(&self, vertex: VertexId) -> impl Iterator<Item = CornerId> + Clone {
-        let first = self.vertex_dart[vertex];
+        let first = Some(self.vertex_dart[vertex]).filter(|&dart| dart != Dart::NONE);
         let is_there = move |&dart: &Dart| Some(dart) != first && self.side_left_of(dart) != NO_CORNER;
         iter::successors(first, move |&dart| Some(self.edges.onext(dart)).filter(is_there))
             .map(|dart| self.corner_left_of(dart))
@@ -234,7 +230,6 @@ impl Connectivity for QuadEdge {
 
     fn heap_bytes(&self) -> usize {
         self.edges.heap_bytes()
-            + self.edge_quad.heap_bytes()
             + self.corner_edge.heap_bytes()
             + self.vertex_dart.heap_bytes()
             + self.face_corner.heap_bytes()
@@ -246,8 +241,8 @@ impl ManifoldConnectivity for QuadEdge {}
 impl Labels {
     /// One of the two sides as a dart with its face on the left, directed as the face runs.
     #[inline]
-    fn dart(&self, quad: QuadKey, side: CornerId) -> Dart {
-        let along = Dart::along(quad);
+    fn dart(&self, edge: EdgeId, side: CornerId) -> Dart {
+        let along = Dart::along(edge);
         if side == self.sides[0] {
             along
         } else if self.runs == SecondSide::Opposite {
@@ -266,9 +261,8 @@ fn left(dart: Dart) -> usize {
 }
 
 /// The edges, each by itself, labelled with its ends and sides.
-fn make_edges(faces: &FaceTable, table: &EdgeTable) -> (Subdivision<Labels>, Column<EdgeId, QuadKey>) {
+fn make_edges(faces: &FaceTable, table: &EdgeTable) -> Subdivision<Labels> {
     let mut edges = Subdivision::with_capacity(table.edge_count());
-    let mut edge_quad = Vec::with_capacity(table.edge_count());
     for edge in table.edges() {
         let mut corners = table.edge_sides(edge).iter();
         let Some(first) = corners.next() else { continue };
@@ -279,9 +273,9 @@ fn make_edges(faces: &FaceTable, table: &EdgeTable) -> (Subdivision<Labels>, Col
         let runs = if same_way { SecondSide::SameWay } else { SecondSide::Opposite };
         let sides = [first.corner(), second.map_or(NO_CORNER, |second| second.corner())];
         let unknown = FaceId::new(faces.face_count());
-        edge_quad.push(edges.make_edge(Labels { ends: [from, to], faces: [unknown; 2], sides, runs }));
+        edges.make_edge(Labels { ends: [from, to], faces: [unknown; 2], sides, runs });
     }
-    (edges, edge_quad.into())
+    edges
 }
 
 impl QuadEdge {
@@ -294,7 +288,7 @@ impl QuadEdge {
             self.face_corner[face] = CornerId::new(faces.corner_range(face).start);
             for corner in faces.face_corners(face) {
                 let dart = self.side_dart(corner);
-                self.edges.label_mut(dart.quad).faces[left(dart)] = face;
+                self.edges.label_mut(dart.edge).faces[left(dart)] = face;
                 self.edges.link(before, dart);
                 before = dart;
             }
@@ -305,18 +299,18 @@ impl QuadEdge {
     /// vertex, each seen from the side that has no face.
     fn link_holes(&mut self) {
         let boundary = self.boundary_at_vertices();
-        let mut is_closed = Column::filled(false, self.edge_quad.len());
+        let mut is_closed = Column::filled(false, self.edges.len());
         for first in self.edges() {
             if self.edge_degree(first) > 1 || is_closed[first] {
                 continue;
             }
             let hole = FaceId::new(self.face_corner.len() + self.hole_count);
             self.hole_count += 1;
-            let start = Dart::along(self.edge_quad[first]).sym();
+            let start = Dart::along(first).sym();
             let (mut edge, mut dart) = (first, start);
             loop {
                 is_closed[edge] = true;
-                self.edges.label_mut(dart.quad).faces[1] = hole;
+                self.edges.label_mut(dart.edge).faces[1] = hole;
                 // Seen from the hole a dart is Sym or Flip, so it ends at the record's origin or destination.
                 let end = self.labels(dart).ends[usize::from(dart.flipped())];
                 let [one, other] = boundary[end];
@@ -324,7 +318,7 @@ impl QuadEdge {
                 if is_closed[edge] {
                     break;
                 }
-                let along = Dart::along(self.edge_quad[edge]);
+                let along = Dart::along(edge);
                 let following = if self.labels(along).ends[0] == end { along.flip() } else { along.sym() };
                 self.edges.link(dart, following);
                 dart = following;
@@ -350,7 +344,7 @@ impl QuadEdge {
     fn begin_stars(&mut self, faces: &FaceTable) {
         for corner in faces.corners() {
             let vertex = faces.corner_vertex(corner);
-            if self.vertex_dart[vertex].is_some() {
+            if self.vertex_dart[vertex] != Dart::NONE {
                 continue;
             }
             let lowest = self.side_dart(corner);
@@ -361,7 +355,7 @@ impl QuadEdge {
                     break;
                 }
             }
-            self.vertex_dart[vertex] = Some(dart);
+            self.vertex_dart[vertex] = dart;
         }
     }
 }

@@ -18,17 +18,12 @@
 //! *Source*: L. Guibas, J. Stolfi, *Primitives for the manipulation of general subdivisions and the computation of
 //! Voronoi diagrams*, 1985, §2 and §4.
 
-use slotmap::{SlotMap, new_key_type};
-
-new_key_type! {
-    /// The record of an edge.
-    pub(super) struct QuadKey;
-}
+use meshmend_core::{Column, EdgeId, Id};
 
 /// An edge as seen along one of four directions and from one of two sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Dart {
-    pub(super) quad: QuadKey,
+    pub(super) edge: EdgeId,
     turn: Turn,
 }
 
@@ -39,21 +34,24 @@ struct Turn(u8);
 /// The edges of a subdivision of a surface, each with a label.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Subdivision<T> {
-    quads: SlotMap<QuadKey, Quad<T>>,
+    quads: Column<EdgeId, Quad<T>>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Quad<T> {
     /// Onext of the dart after r quarter turns: its record, and how it lies to that.
-    next: [QuadKey; 4],
+    next: [EdgeId; 4],
     next_turn: [Turn; 4],
     label: T,
 }
 
 impl Dart {
+    /// What stands for the dart of a vertex that has none: there are always fewer edges.
+    pub(super) const NONE: Dart = Dart { edge: EdgeId(u32::MAX), turn: Turn(0) };
+
     /// The edge as its record has it.
-    pub(super) fn along(quad: QuadKey) -> Self {
-        Dart { quad, turn: Turn(0) }
+    pub(super) fn along(edge: EdgeId) -> Self {
+        Dart { edge, turn: Turn(0) }
     }
 
     /// Turned left by a quarter: across the edge, from the face on the right to the one on the left.
@@ -100,32 +98,32 @@ impl Dart {
 impl<T> Subdivision<T> {
     /// No edge, and room for so many.
     pub(super) fn with_capacity(edges: usize) -> Self {
-        Subdivision { quads: SlotMap::with_capacity_and_key(edges) }
+        Subdivision { quads: Vec::with_capacity(edges).into() }
     }
 
     /// Adds an edge by itself, on a sphere of its own: two ends and a single face round it.
-    pub(super) fn make_edge(&mut self, label: T) -> QuadKey {
-        let next_turn = [Turn(0), Turn(3), Turn(2), Turn(1)];
-        self.quads.insert_with_key(|key| Quad { next: [key; 4], next_turn, label })
+    pub(super) fn make_edge(&mut self, label: T) -> EdgeId {
+        let (edge, next_turn) = (EdgeId::new(self.quads.len()), [Turn(0), Turn(3), Turn(2), Turn(1)]);
+        self.quads.push(Quad { next: [edge; 4], next_turn, label })
     }
 
     /// The label of an edge.
     #[inline]
-    pub(super) fn label(&self, quad: QuadKey) -> &T {
-        &self.quads[quad].label
+    pub(super) fn label(&self, edge: EdgeId) -> &T {
+        &self.quads[edge].label
     }
 
     /// The label of an edge, to be changed.
-    pub(super) fn label_mut(&mut self, quad: QuadKey) -> &mut T {
-        &mut self.quads[quad].label
+    pub(super) fn label_mut(&mut self, edge: EdgeId) -> &mut T {
+        &mut self.quads[edge].label
     }
 
     /// The next dart counter-clockwise with the same origin.
     #[inline]
     pub(super) fn onext(&self, dart: Dart) -> Dart {
-        let quad = &self.quads[dart.quad];
+        let quad = &self.quads[dart.edge];
         let at = (dart.quarter() + usize::from(dart.flipped())) & 3;
-        let stored = Dart { quad: quad.next[at], turn: quad.next_turn[at] };
+        let stored = Dart { edge: quad.next[at], turn: quad.next_turn[at] };
         if dart.flipped() == 0 { stored } else { stored.rot().flip() }
     }
 
@@ -162,20 +160,25 @@ impl<T> Subdivision<T> {
             0 => (dart.quarter(), next),
             _ => ((dart.quarter() + 1) & 3, next.flip().rot_inverse()),
         };
-        let quad = &mut self.quads[dart.quad];
-        quad.next[at] = stored.quad;
+        let quad = &mut self.quads[dart.edge];
+        quad.next[at] = stored.edge;
         quad.next_turn[at] = stored.turn;
     }
 
-    /// Bytes on the heap: a slot more than there is room for, each with its version.
+    /// How many edges there are.
+    pub(super) fn len(&self) -> usize {
+        self.quads.len()
+    }
+
+    /// Bytes on the heap.
     pub(super) fn heap_bytes(&self) -> usize {
-        (self.quads.capacity() + 1) * size_of::<(Quad<T>, u32)>()
+        self.quads.heap_bytes()
     }
 
     /// Every dart: four quarter turns on either side of each edge.
     #[cfg(test)]
     pub(super) fn darts(&self) -> impl Iterator<Item = Dart> {
-        self.quads.keys().flat_map(|quad| (0..8).map(move |turn| Dart { quad, turn: Turn(turn) }))
+        self.quads.iter().flat_map(|(edge, _)| (0..8).map(move |turn| Dart { edge, turn: Turn(turn) }))
     }
 }
 
