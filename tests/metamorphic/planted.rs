@@ -6,7 +6,7 @@ use meshmend_core::{Defect, DefectKind, Element, FaceId};
 use meshmend_repair::Pipeline;
 use meshmend_testkit::damage::{Damage, Unreal, Way};
 use meshmend_testkit::shapes::{self, Tiles};
-use meshmend_testkit::{Soup, worlds};
+use meshmend_testkit::{Soup, Surgery, worlds};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use serde_json::Value;

@@ -1,6 +1,6 @@
 //! Meshes beside one another add up; a handle, a cross-cap and a hole count as one.
 
-use meshmend_testkit::{Soup, shapes, worlds};
+use meshmend_testkit::{Soup, Surgery, shapes, worlds};
 use meshmend_topology::TopologyReport;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};

@@ -108,13 +108,13 @@ impl Damage {
             Damage::Pinch { kept, lost } => {
                 harmed.faces.iter_mut().flatten().filter(|v| *v == lost).for_each(|v| *v = *kept);
             }
-            Damage::Tear { face, corner } => harmed.detach(&[(*face, *corner)]),
+            Damage::Tear { face, corner } => detach(&mut harmed, &[(*face, *corner)]),
             Damage::Crack { faces } => {
                 let corners = |f: &usize| (0..soup.faces[*f].len()).map(|i| (*f, i)).collect::<Vec<_>>();
                 let mut chosen: Vec<(usize, usize)> = faces.iter().flat_map(corners).collect();
                 chosen.sort_unstable();
                 chosen.dedup();
-                harmed.detach(&chosen);
+                detach(&mut harmed, &chosen);
             }
             Damage::WeldApart => {
                 harmed.positions.clear();
@@ -138,23 +138,19 @@ impl Damage {
     }
 }
 
-impl Soup {
-    /// Gives corners new vertices, one for each vertex that they share with other corners.
-    fn detach(&mut self, corners: &[(usize, usize)]) {
-        let places = self.faces.iter().enumerate().flat_map(|(f, face)| (0..face.len()).map(move |i| (f, i)));
-        let others = places.filter(|place| !corners.contains(place));
-        let shared: BTreeSet<u32> = others.map(|(f, i)| self.faces[f][i]).collect();
-        let mut own = BTreeMap::new();
-        for &(f, i) in
-            corners.iter().filter(|&&(f, i)| shared.contains(&self.faces[f][i])).collect::<Vec<_>>()
-        {
-            let vertex = &mut self.faces[f][i];
-            let place = self.positions[*vertex as usize];
-            *vertex = *own.entry(*vertex).or_insert_with(|| {
-                self.positions.push(place);
-                self.positions.len() as u32 - 1
-            });
-        }
+/// Gives corners new vertices, one for each vertex that they share with other corners.
+fn detach(soup: &mut Soup, corners: &[(usize, usize)]) {
+    let places = soup.faces.iter().enumerate().flat_map(|(f, face)| (0..face.len()).map(move |i| (f, i)));
+    let others = places.filter(|place| !corners.contains(place));
+    let shared: BTreeSet<u32> = others.map(|(f, i)| soup.faces[f][i]).collect();
+    let mut own = BTreeMap::new();
+    for &(f, i) in corners.iter().filter(|&&(f, i)| shared.contains(&soup.faces[f][i])).collect::<Vec<_>>() {
+        let vertex = &mut soup.faces[f][i];
+        let place = soup.positions[*vertex as usize];
+        *vertex = *own.entry(*vertex).or_insert_with(|| {
+            soup.positions.push(place);
+            soup.positions.len() as u32 - 1
+        });
     }
 }
 

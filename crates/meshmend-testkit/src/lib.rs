@@ -1,7 +1,7 @@
 //! What the tests of meshmend are made of.
 //!
 //! * [`Soup`]: a mesh as plain lists, from which everything here is made and on which everything here works.
-//! * [`Soup::with_handle`] and its like: changes to a mesh whose effect on every figure is known.
+//! * [`Surgery`]: changes to a mesh whose effect on every figure is known.
 //! * [`shapes`]: generators of meshes whose every figure is known in closed form, as a [`Truth`](shapes::Truth).
 //! * [`damage`]: harm done to a mesh, with what it must change.
 //! * [`oracle`]: the definitions of sections 1 to 3 of the semantics, transcribed naively: slow, plain, and sharing
@@ -22,10 +22,10 @@ mod miscounts;
 pub mod oracle;
 pub mod reference;
 pub mod shapes;
-mod soup;
 mod surgery;
 mod variants;
 pub mod worlds;
 
+pub use meshmend_conformance::Soup;
 pub use miscounts::miscounted;
-pub use soup::Soup;
+pub use surgery::Surgery;

@@ -15,19 +15,49 @@
 
 use crate::{Soup, shapes};
 
-impl Soup {
+/// Operations on a face of a mesh.
+pub trait Surgery {
     /// A face of n corners is cut into n quads round a smaller copy of it, which has its place in the list: V + n,
     /// E + 2n, F + n.
     ///
     /// The vertices of the copy are in no other face but the quads.
-    pub fn inset(&self, face: usize) -> Self {
+    #[must_use]
+    fn inset(&self, face: usize) -> Self;
+
+    /// A face of n corners is cut into n triangles round a new vertex, the first of which has its place in the list:
+    /// V + 1, E + n, F + n − 1.
+    #[must_use]
+    fn starred(&self, face: usize) -> Self;
+
+    /// The face is gone. Of an inset face: F − 1 and one more hole.
+    #[must_use]
+    fn without_face(&self, face: usize) -> Self;
+
+    /// A handle in the midst of a face of n corners: V + n + 5, E + 3n + 18, F + 2n + 11, so χ − 2.
+    #[must_use]
+    fn with_handle(&self, face: usize) -> Self;
+
+    /// A cross-cap in the midst of a face of n corners: V + n + 4, E + 3n + 12, F + 2n + 7, so χ − 1.
+    #[must_use]
+    fn with_cross_cap(&self, face: usize) -> Self;
+
+    /// The connected sum at a triangle of each: V + V' − 3, E + E' − 3, F + F' − 2.
+    ///
+    /// # Panics
+    /// When one of the two faces is no triangle.
+    #[must_use]
+    fn summed(&self, face: usize, other: &Soup, other_face: usize) -> Self;
+}
+
+impl Surgery for Soup {
+    fn inset(&self, face: usize) -> Self {
         let (mut cut, rim) = (self.clone(), self.faces[face].clone());
-        let centre = self.mean(&rim);
+        let centre = mean(self, &rim);
         let inner: Vec<u32> = rim
             .iter()
             .map(|&v| {
                 let place = self.positions[v as usize];
-                cut.added([0, 1, 2].map(|axis| place[axis] * 0.625 + centre[axis] * 0.375))
+                added(&mut cut, [0, 1, 2].map(|axis| place[axis] * 0.625 + centre[axis] * 0.375))
             })
             .collect();
         for i in 0..rim.len() {
@@ -38,39 +68,30 @@ impl Soup {
         cut
     }
 
-    /// A face of n corners is cut into n triangles round a new vertex, the first of which has its place in the list:
-    /// V + 1, E + n, F + n − 1.
-    pub fn starred(&self, face: usize) -> Self {
+    fn starred(&self, face: usize) -> Self {
         let (mut cut, rim) = (self.clone(), self.faces[face].clone());
-        let centre = cut.added(self.mean(&rim));
+        let centre = added(&mut cut, mean(self, &rim));
         let mut triangles = (0..rim.len()).map(|i| vec![rim[i], rim[(i + 1) % rim.len()], centre]);
         cut.faces[face] = triangles.next().expect("a face has corners");
         cut.faces.extend(triangles);
         cut
     }
 
-    /// The face is gone. Of an inset face: F − 1 and one more hole.
-    pub fn without_face(&self, face: usize) -> Self {
+    fn without_face(&self, face: usize) -> Self {
         let mut open = self.clone();
         open.faces.remove(face);
         open
     }
 
-    /// A handle in the midst of a face of n corners: V + n + 5, E + 3n + 18, F + 2n + 11, so χ − 2.
-    pub fn with_handle(&self, face: usize) -> Self {
+    fn with_handle(&self, face: usize) -> Self {
         self.inset(face).starred(face).summed(face, &shapes::seven_vertex_torus().soup, 0)
     }
 
-    /// A cross-cap in the midst of a face of n corners: V + n + 4, E + 3n + 12, F + 2n + 7, so χ − 1.
-    pub fn with_cross_cap(&self, face: usize) -> Self {
+    fn with_cross_cap(&self, face: usize) -> Self {
         self.inset(face).starred(face).summed(face, &shapes::projective_plane().soup, 0)
     }
 
-    /// The connected sum at a triangle of each: V + V' − 3, E + E' − 3, F + F' − 2.
-    ///
-    /// # Panics
-    /// When one of the two faces is no triangle.
-    pub fn summed(&self, face: usize, other: &Soup, other_face: usize) -> Self {
+    fn summed(&self, face: usize, other: &Soup, other_face: usize) -> Self {
         let (mut sum, rim) = (self.without_face(face), &self.faces[face]);
         let seam = &other.faces[other_face];
         assert!(rim.len() == 3 && seam.len() == 3, "sums are taken at triangles");
@@ -79,7 +100,8 @@ impl Soup {
         let names: Vec<u32> = (0..other.vertex_count() as u32)
             .map(|v| match seam.iter().position(|&s| s == v) {
                 Some(at) => rim[at],
-                None => sum.added(
+                None => added(
+                    &mut sum,
                     other.positions[v as usize].map(|x| x * 0.0625 + self.positions[rim[0] as usize][0]),
                 ),
             })
@@ -88,16 +110,16 @@ impl Soup {
         sum.faces.extend(others.map(|(_, face)| face.iter().map(|&v| names[v as usize]).collect::<Vec<_>>()));
         sum
     }
+}
 
-    fn added(&mut self, position: [f64; 3]) -> u32 {
-        self.positions.push(position);
-        self.positions.len() as u32 - 1
-    }
+fn added(soup: &mut Soup, position: [f64; 3]) -> u32 {
+    soup.positions.push(position);
+    soup.positions.len() as u32 - 1
+}
 
-    fn mean(&self, vertices: &[u32]) -> [f64; 3] {
-        let sum = |axis: usize| vertices.iter().map(|&v| self.positions[v as usize][axis]).sum::<f64>();
-        [0, 1, 2].map(|axis| sum(axis) / vertices.len() as f64)
-    }
+fn mean(soup: &Soup, vertices: &[u32]) -> [f64; 3] {
+    let sum = |axis: usize| vertices.iter().map(|&v| soup.positions[v as usize][axis]).sum::<f64>();
+    [0, 1, 2].map(|axis| sum(axis) / vertices.len() as f64)
 }
 
 #[cfg(test)]

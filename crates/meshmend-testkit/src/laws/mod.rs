@@ -8,14 +8,13 @@
 //! * [`Promise`]: what must be gone afterwards, and what may be new.
 
 mod change;
-mod kernel;
 mod promise;
 mod values;
 
 use std::fmt::Debug;
 
 pub use change::Change;
-pub use kernel::{heap_law, kernel_laws, refusal_law};
+pub use meshmend_conformance::{heap_law, kernel_laws, refusal_law};
 pub use promise::{DefectCounts, Promise};
 pub use values::{Entry, layer_entries, number_key};
 

@@ -9,7 +9,7 @@ use meshmend_core::{
     Build, Capabilities, Complex, Connectivity, CornerId, EdgeId, FaceId, Id, Refusal, VertexId, admission,
 };
 
-use super::same;
+use super::same::same;
 
 /// Every law of a kernel, over one complex; a complex that the kernel refuses rightly keeps them all.
 ///
@@ -250,6 +250,3 @@ fn derived_of_corner<K: Connectivity>(
     };
     same("the side across", corner, kernel.across(corner).map(Id::index), other)
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,4 +1,4 @@
-//! A mesh as plain lists: the common coin of the testkit.
+//! A mesh as plain lists: the common coin of tests.
 
 use std::sync::Arc;
 

@@ -1,12 +1,16 @@
 //! Each law finds the kernel that breaks it, and admission is what the definitions say.
 
-use meshmend_core::{Capabilities, Defect, DefectKind, EdgeUse};
-use proptest::prelude::*;
+#![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
 
-use super::*;
-use crate::shapes::catalogue;
-use crate::worlds::{any_table, oriented_triangle_sets};
-use crate::{Soup, oracle, shapes};
+use meshmend_core::{
+    Build, Capabilities, Complex, Connectivity, CornerId, Defect, DefectKind, EdgeId, EdgeUse, FaceId, Id,
+    Refusal, VertexId, admission,
+};
+use meshmend_testkit::laws::{heap_law, kernel_laws, refusal_law};
+use meshmend_testkit::shapes::{self, catalogue};
+use meshmend_testkit::worlds::{any_table, oriented_triangle_sets};
+use meshmend_testkit::{Soup, oracle};
+use proptest::prelude::*;
 
 /// The edge-use table with one answer made wrong, or other capabilities.
 struct Broken<const WHICH: u8>(EdgeUse);
