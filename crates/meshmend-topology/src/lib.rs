@@ -15,6 +15,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! [`matrices`] says what can be said with less than a kernel: by the boundary matrices, or by the graph alone.
+//!
 //! No answer is a guess: a figure that is not defined for a mesh (the genus of something that is not a surface) is
 //! absent, and the report says why.
 
@@ -23,6 +25,7 @@ mod faces;
 mod homology;
 mod ids;
 mod loops;
+pub mod matrices;
 mod orientation;
 mod report;
 mod surfaces;

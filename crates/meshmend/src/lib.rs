@@ -185,7 +185,7 @@
 //! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints.
 //!
 //! The parts are whole crates of their own, here under [`mesh`], [`kernels`], [`topology`], [`geometry`], [`passes`],
-//! [`cutting`], [`formats`] and [`shapes`]; what the main jobs need is also here at the top. With the feature `flatten`
+//! [`cutting`], [`formats`] and [`shapes`] ([`matrices`] is a part of [`topology`]); what the main jobs need is also here at the top. With the feature `flatten`
 //! there is `unfold`, which lays a mesh out in the plane.
 
 mod check;
@@ -207,6 +207,7 @@ pub use meshmend_kernels as kernels;
 pub use meshmend_repair as passes;
 pub use meshmend_shapes as shapes;
 pub use meshmend_topology as topology;
+pub use meshmend_topology::matrices;
 
 pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check, check_in};
 pub use kernel_bench::{KernelCost, KernelQuestion};

@@ -19,6 +19,11 @@ impl PrimeField {
     /// The integers modulo 2³¹ − 1, which stand for the rationals.
     pub(crate) const LARGE: PrimeField = PrimeField((1 << 31) - 1);
 
+    /// The integers modulo a number, which has to be a prime.
+    pub(crate) fn modulo(prime: u32) -> Self {
+        PrimeField(prime)
+    }
+
     pub(crate) fn residue(self, number: i64) -> u32 {
         number.rem_euclid(i64::from(self.0)) as u32
     }
