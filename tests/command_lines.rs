@@ -32,7 +32,8 @@ fn good(argument: &Arg) -> (String, bool) {
         // Which kinds there are hangs on the rules of the program, which judges the word itself.
         (_, "KIND") => ("degenerate-face", true),
         (_, "FORMAT") => ("ply", false),
-        ("kernel", _) => ("edge-use", false),
+        // Which kernels there are too.
+        ("kernel", _) => ("edge-use", true),
         (id, place) => panic!("which value does {id} {place} take?"),
     };
     (value.to_owned(), takes_any_text)

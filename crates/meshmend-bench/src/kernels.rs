@@ -5,7 +5,7 @@ use std::path::Path;
 
 use cpu_time::ProcessTime;
 use meshmend::report::KernelTrial;
-use meshmend::{KernelCost, KernelKind, KernelQuestion};
+use meshmend::{AnyKernel, KernelKind, KernelQuestion};
 use serde::{Deserialize, Serialize};
 
 use crate::chart::{Bar, Chart, Group};
@@ -35,8 +35,8 @@ pub(crate) struct Trials {
 /// Measures a kernel on the mesh in a file, in this process.
 pub(crate) fn measure(kernel: KernelKind, file: &Path, runs: usize) -> Result<KernelTrial, Failure> {
     let (mesh, start) = (load(file)?, ProcessTime::now());
-    let result = KernelCost::measure(kernel, &mesh, runs, || start.elapsed());
-    Ok(KernelTrial::new(kernel, mesh.complex().proper_face_count(), &result))
+    let result = AnyKernel::from(kernel).cost(&mesh, runs, &|| start.elapsed());
+    Ok(KernelTrial::new(kernel.name(), mesh.complex().proper_face_count(), &result))
 }
 
 /// Measures every kernel, each in a process of its own.

@@ -19,10 +19,11 @@ mod threads;
 mod words;
 
 use std::ffi::OsString;
+use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
-use meshmend::Rules;
 use meshmend::passes::Passes;
+use meshmend::{AnyKernel, Kernels, Rules};
 
 pub use crate::console::Console;
 pub use crate::failure::Status;
@@ -80,6 +81,7 @@ pub fn run(
 pub struct Program {
     rules: Rules,
     passes: Passes,
+    kernels: Kernels,
 }
 
 impl Program {
@@ -93,6 +95,13 @@ impl Program {
     #[must_use]
     pub fn with_passes(self, passes: Passes) -> Self {
         Program { passes, ..self }
+    }
+
+    /// The program with these kernels: they are listed, timed, explained and checked with like meshmend's own. Repairs compute on
+    /// meshmend's own alone.
+    #[must_use]
+    pub fn with_kernels(self, kernels: Kernels) -> Self {
+        Program { kernels, ..self }
     }
 
     /// Does what a command line says; the first argument is the name of the program. Errors are written to the console's
@@ -127,6 +136,35 @@ impl Program {
         let with_options = |repair| policies::with_options(repair, self.passes);
         CommandLine::command().mut_subcommand("repair", with_options)
     }
+}
+
+/// The whole program with more kernels than meshmend has: the `main` of a program of one's own. A name that is taken is an error, with the
+/// status of a command line that is wrong.
+///
+/// ```no_run
+/// use std::process::ExitCode;
+///
+/// use meshmend::AnyKernel;
+/// # use meshmend::kernels::HalfEdge as WingedEdge;
+///
+/// fn main() -> ExitCode {
+///     meshmend_cli::main_with(&[AnyKernel::of::<WingedEdge>()])
+/// }
+/// ```
+pub fn main_with(kernels: &[AnyKernel]) -> ExitCode {
+    end_cleanly();
+    let mut console = Console::standard();
+    // Once in a process, whose own they are to its end.
+    let kernels: &'static [AnyKernel] = kernels.to_vec().leak();
+    let status = match Kernels::with(kernels) {
+        Ok(kernels) => Program::default().with_kernels(kernels).run(std::env::args_os(), &mut console),
+        Err(error) => {
+            let failure = Failure::usage(error.to_string());
+            console.complain(&failure);
+            failure.status
+        }
+    };
+    status.into()
 }
 
 /// The commands and options that [`run`] takes.

@@ -1,7 +1,7 @@
 //! Words of the command line that stand for values of the library.
 
 use meshmend::shapes::{NAMED_SHAPES, NamedShape};
-use meshmend::{DefectKind, Distance, KernelKind, Rules, View};
+use meshmend::{AnyKernel, DefectKind, Distance, KernelKind, Kernels, Rules, View};
 
 use crate::failure::Failure;
 
@@ -47,11 +47,19 @@ pub(crate) fn welding(word: &str) -> Result<Welding, String> {
     }
 }
 
-/// Reads the name of a kernel.
-pub(crate) fn kernel(word: &str) -> Result<KernelKind, String> {
+/// Reads the name of one of these kernels.
+pub(crate) fn any_kernel(kernels: Kernels, word: &str) -> Result<AnyKernel, Failure> {
+    kernels.named(word).ok_or_else(|| {
+        let names: Vec<&str> = kernels.all().map(|kernel| kernel.name).collect();
+        Failure::usage(format!("there is no kernel `{word}`; the kernels are {}", names.join(", ")))
+    })
+}
+
+/// Reads the name of a kernel of meshmend's own, on which a repair computes.
+pub(crate) fn kernel(word: &str) -> Result<KernelKind, Failure> {
     KernelKind::from_name(word).ok_or_else(|| {
         let names: Vec<&str> = KernelKind::ALL.iter().map(|kernel| kernel.name()).collect();
-        format!("the kernels are {}", names.join(", "))
+        Failure::usage(format!("a repair has no kernel `{word}`; its kernels are {}", names.join(", ")))
     })
 }
 
@@ -91,9 +99,12 @@ mod tests {
 
     #[test]
     fn an_unknown_word_is_answered_with_the_known_ones() {
-        assert!(kernel("edge").unwrap_err().starts_with("the kernels are "));
+        let unknown = kernel("edge").unwrap_err();
+        assert!(unknown.message.contains("its kernels are edge-use, "));
         let unknown = defect_kind(Rules::builtin(), "hole").unwrap_err();
         assert!(unknown.message.contains("the kinds are degenerate-face, "));
-        assert_eq!(kernel("edge-use"), Ok(KernelKind::EdgeUse));
+        assert_eq!(kernel("edge-use").unwrap(), KernelKind::EdgeUse);
+        let unknown = any_kernel(Kernels::builtin(), "edge").unwrap_err();
+        assert!(unknown.message.starts_with("there is no kernel `edge`; the kernels are edge-use, "));
     }
 }

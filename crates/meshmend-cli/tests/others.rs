@@ -55,8 +55,17 @@ fn kernels_are_timed_on_a_file() {
         assert_eq!(kernel["bytes_a_face"].is_number(), !seconds.is_empty(), "{kernel}");
         seconds.keys().cloned().collect::<Vec<_>>()
     };
-    let questions =
-        ["boundary-walk", "build", "components", "face-walk", "one-rings", "orientation", "report"];
+    let questions = [
+        "boundary-walk",
+        "build",
+        "components",
+        "edge-walk",
+        "face-walk",
+        "one-rings",
+        "orientation",
+        "report",
+        "vertex-neighbours",
+    ];
     assert_eq!(times("edge-use"), questions);
     assert_eq!(times("face-vertex"), questions);
     assert!(times("half-edge").is_empty());

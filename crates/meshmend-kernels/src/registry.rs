@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use meshmend_core::{Build, Capabilities, Complex, Connectivity, Lesson, Refusal};
+use meshmend_core::{Build, Capabilities, Complex, Connectivity, Cost, Grouped, Lesson, Refusal};
 
 /// A question to ask of a complex, whichever kernel holds it.
 ///
@@ -13,6 +13,14 @@ pub trait KernelTask {
     type Output;
     /// Asks a kernel.
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output;
+}
+
+/// Something to make of a kernel's type, before there is a mesh.
+pub trait KernelVisitor {
+    /// What is made of it.
+    type Output;
+    /// Makes it of a kernel's type.
+    fn visit<K: Lesson>(self) -> Self::Output;
 }
 
 macro_rules! kernels {
@@ -48,11 +56,11 @@ macro_rules! kernels {
                 }
             }
 
-            /// What it stores, what it holds, what it costs, and where it comes from, in a paragraph.
-            pub fn explanation(self) -> &'static str {
+            /// Makes something of the kernel's type.
+            pub fn visit<V: KernelVisitor>(self, visitor: V) -> V::Output {
                 match self {
-                    KernelKind::EdgeUse => EdgeUse::TEXT,
-                    $(KernelKind::$name => $name::TEXT,)*
+                    KernelKind::EdgeUse => visitor.visit::<EdgeUse>(),
+                    $(KernelKind::$name => visitor.visit::<$name>(),)*
                 }
             }
 
@@ -66,6 +74,21 @@ macro_rules! kernels {
                 match self {
                     KernelKind::EdgeUse => Ok(task.run(&EdgeUse::build(complex)?)),
                     $(KernelKind::$name => Ok(task.run(&$name::build(complex)?)),)*
+                }
+            }
+
+            /// As [`run`](Self::run), for a task that looks at all vertices: a kernel that takes linear time for the corners of
+            /// one vertex is asked with its corners [`Grouped`].
+            ///
+            /// # Errors
+            /// When the kernel can't hold the complex: every reason why.
+            pub fn run_grouped<T: KernelTask>(self, complex: &Complex, task: T) -> Result<T::Output, Refusal> {
+                match self {
+                    KernelKind::EdgeUse => self.run(complex, task),
+                    $(KernelKind::$name if $name::COSTS.vertex_star == Cost::Linear => {
+                        Ok(task.run(&Grouped::<$name>::build(complex)?))
+                    })*
+                    _ => self.run(complex, task),
                 }
             }
         }
@@ -83,6 +106,18 @@ kernels! {
 }
 
 impl KernelKind {
+    /// The text that teaches it, as [`Lesson::TEXT`] says.
+    pub fn lesson(self) -> &'static str {
+        struct Text;
+        impl KernelVisitor for Text {
+            type Output = &'static str;
+            fn visit<K: Lesson>(self) -> Self::Output {
+                K::TEXT
+            }
+        }
+        self.visit(Text)
+    }
+
     /// The kernel with a name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|kind| kind.name() == name)
@@ -139,7 +174,7 @@ mod tests {
     #[test]
     fn explanations_name_their_source() {
         for kind in KernelKind::ALL {
-            let explanation = kind.explanation();
+            let explanation = kind.lesson();
             assert!(explanation.contains("Source: ") && !explanation.contains("  "), "{kind}");
         }
     }

@@ -7,12 +7,11 @@ use meshmend_core::{
     Defect, DefectKind, Defects, Found, Listed, PolygonMesh, Rules, Severity, Sources, VertexId,
 };
 use meshmend_geometry::coincident::Coincidence;
-use meshmend_kernels::KernelKind;
 use meshmend_repair::{Distance, PassError, Session, Weld};
 use meshmend_topology::{TopologyReport, Witness};
 use serde::Serialize;
 
-use crate::View;
+use crate::{AnyKernel, Kernels, View};
 
 /// How to check.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,7 +20,9 @@ pub struct CheckOptions {
     /// Whether the mesh is judged as stored or as welded.
     pub view: View,
     /// The kernel to compute on.
-    pub kernel: KernelKind,
+    pub kernel: AnyKernel,
+    /// Of which kernels it is told whether they hold the mesh.
+    pub kernels: Kernels,
     /// Which strip of faces shows that a patch is not orientable.
     pub witness: Witness,
     /// Which kinds of defect are looked for.
@@ -37,8 +38,14 @@ impl CheckOptions {
 
     /// These options with this kernel to compute on.
     #[must_use]
-    pub fn with_kernel(self, kernel: KernelKind) -> Self {
-        CheckOptions { kernel, ..self }
+    pub fn with_kernel(self, kernel: impl Into<AnyKernel>) -> Self {
+        CheckOptions { kernel: kernel.into(), ..self }
+    }
+
+    /// These options with these kernels, of which it is told whether they hold the mesh.
+    #[must_use]
+    pub fn with_kernels(self, kernels: Kernels) -> Self {
+        CheckOptions { kernels, ..self }
     }
 
     /// These options with this strip of faces as a witness.
@@ -113,8 +120,11 @@ pub struct KernelVerdict {
 /// *Cost*: near-linear, but for shortest witnesses, which cost what
 /// [`one_sided_loops`](meshmend_topology::one_sided_loops) does; one sort of the positions to tell what welding would join.
 pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, PassError> {
-    let mut session = Session::begin(mesh).with_kernel(options.kernel).with_witness(options.witness);
-    check_in(&mut session, options.view, options.rules)
+    let mut session = Session::begin(mesh);
+    let mesh = viewed(&mut session, options.view)?;
+    let topology = options.kernel.topology(&mesh.0, options.witness)?;
+    let stored = StoredCounts::of(session.stored());
+    Ok(CheckReport::new(options.view, stored, mesh, topology, options.rules, options.kernels))
 }
 
 /// Checks the mesh of a session that has just begun, as [`check`] does. A pipeline may go on with the session.
@@ -133,12 +143,17 @@ pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, 
 /// # Errors
 /// As [`check`].
 pub fn check_in(session: &mut Session<'_>, view: View, rules: Rules) -> Result<CheckReport, PassError> {
+    let mesh = viewed(session, view)?;
+    let topology = session.topology()?.clone();
+    Ok(CheckReport::new(view, StoredCounts::of(session.stored()), mesh, topology, rules, Kernels::builtin()))
+}
+
+/// The mesh of a session that has just begun, in a view, and of each of its vertices the stored one.
+fn viewed(session: &mut Session<'_>, view: View) -> Result<(PolygonMesh, Sources<VertexId>), PassError> {
     if let Some(distance) = view.distance() {
         session.apply(Weld { distance })?;
     }
-    let topology = session.topology()?.clone();
-    let mesh = (session.mesh().clone(), session.provenance().vertices.clone());
-    Ok(CheckReport::new(view, StoredCounts::of(session.stored()), mesh, topology, rules))
+    Ok((session.mesh().clone(), session.provenance().vertices.clone()))
 }
 
 impl CheckReport {
@@ -147,7 +162,14 @@ impl CheckReport {
     /// *Cost*: an exact weld, and what other rules than meshmend's own take.
     pub fn of_topology(mesh: PolygonMesh, topology: TopologyReport, rules: Rules) -> Self {
         let vertices = Sources::same(mesh.counts().vertices);
-        Self::new(View::Indexed, StoredCounts::of(&mesh), (mesh, vertices), topology, rules)
+        Self::new(
+            View::Indexed,
+            StoredCounts::of(&mesh),
+            (mesh, vertices),
+            topology,
+            rules,
+            Kernels::builtin(),
+        )
     }
 
     fn new(
@@ -156,6 +178,7 @@ impl CheckReport {
         (mesh, vertex_sources): (PolygonMesh, Sources<VertexId>),
         topology: TopologyReport,
         rules: Rules,
+        kernels: Kernels,
     ) -> Self {
         let (mut coincident, mut joined_in_single) = (Vec::new(), 0);
         if matches!(view, View::Indexed | View::Welded(Distance::Exact)) {
@@ -165,21 +188,20 @@ impl CheckReport {
             joined_in_single = only_in_single as u64;
         }
         let own = rules.own().map(|kind| (kind, found_in(&mesh, kind))).collect();
-        let kernels = Vec::new();
         let mut report = CheckReport {
             view,
             stored,
             mesh,
             vertex_sources,
             topology,
-            kernels,
+            kernels: Vec::new(),
             joined_in_single,
             coincident,
             rules,
             asked: Vec::new(),
             own,
         };
-        report.kernels = KernelKind::ALL.iter().map(|&kernel| report.verdict(kernel)).collect();
+        report.kernels = kernels.all().map(|kernel| report.verdict(kernel)).collect();
         report
     }
 
@@ -242,14 +264,14 @@ impl CheckReport {
         self.vertex_sources.of(vertex).unwrap_or(vertex)
     }
 
-    fn verdict(&self, kernel: KernelKind) -> KernelVerdict {
+    fn verdict(&self, kernel: AnyKernel) -> KernelVerdict {
         let refusals: BTreeMap<DefectKind, u64> = kernel
-            .capabilities()
+            .capabilities
             .refused_kinds()
             .map(|kind| (kind, self.count(kind) as u64))
             .filter(|&(_, count)| count > 0)
             .collect();
-        KernelVerdict { name: kernel.name(), holds: refusals.is_empty(), refusals }
+        KernelVerdict { name: kernel.name, holds: refusals.is_empty(), refusals }
     }
 }
 
@@ -276,6 +298,7 @@ impl StoredCounts {
 #[cfg(test)]
 mod tests {
     use meshmend_core::{Element, FaceId, FaceTableBuilder, Rule, admission};
+    use meshmend_kernels::KernelKind;
 
     use super::*;
 
@@ -408,7 +431,7 @@ mod tests {
     #[test]
     fn a_strict_kernel_refuses_to_check_what_it_cant_hold() {
         let fan = mesh(&spread(5), &[&[0, 1, 2], &[0, 1, 3], &[0, 1, 4]]);
-        let options = CheckOptions { kernel: KernelKind::HalfEdge, ..CheckOptions::default() };
+        let options = CheckOptions { kernel: KernelKind::HalfEdge.into(), ..CheckOptions::default() };
         assert!(matches!(check(&fan, &options), Err(PassError::Refused(_))));
     }
 }

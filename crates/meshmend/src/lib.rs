@@ -189,10 +189,10 @@
 //! there is `unfold`, which lays a mesh out in the plane.
 
 mod check;
-mod kernel_bench;
 mod loops;
 mod mend;
 pub mod report;
+mod structures;
 #[cfg(feature = "flatten")]
 mod unfold;
 mod view;
@@ -210,7 +210,6 @@ pub use meshmend_topology as topology;
 pub use meshmend_topology::matrices;
 
 pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check, check_in};
-pub use kernel_bench::{KernelCost, KernelQuestion};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, PathOptions, cut, loops};
 pub use mend::repair;
 pub use meshmend_core::{
@@ -224,6 +223,7 @@ pub use meshmend_io::{
 pub use meshmend_kernels::{KernelKind, KernelTask};
 pub use meshmend_repair::{AnyPass, Distance, Pass, PassError, PassKind, Pipeline, Plan, Repaired, Session};
 pub use meshmend_topology::TopologyReport;
+pub use structures::{AnyKernel, KernelCost, KernelNameError, KernelQuestion, Kernels, LINEAR_LIMIT, Rung};
 #[cfg(feature = "flatten")]
 pub use unfold::{UnfoldError, UnfoldOptions, Unfolded, unfold};
 pub use view::View;

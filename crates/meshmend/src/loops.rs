@@ -1,14 +1,13 @@
 //! The closed paths that generate a surface, with lengths measured in space, and cutting along them.
 
-use meshmend_core::{Connectivity, PolygonMesh};
+use meshmend_core::PolygonMesh;
 use meshmend_cut::{CutAlong, CutError, Discs, cut_to_discs};
 use meshmend_geometry::edge_lengths;
-use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_repair::PassError;
-use meshmend_topology::{CoTree, GeneratorError, GeneratorOptions, Generators, Measure, Roots, generators};
+use meshmend_topology::{CoTree, GeneratorError, GeneratorOptions, Generators, Measure, Roots};
 use thiserror::Error;
 
-use crate::View;
+use crate::{AnyKernel, View};
 
 /// How to look for the closed paths of surfaces.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -17,7 +16,7 @@ pub struct LoopOptions {
     /// Whether the mesh is taken as stored or as welded.
     pub view: View,
     /// The kernel to compute on.
-    pub kernel: KernelKind,
+    pub kernel: AnyKernel,
     /// Which paths are wanted.
     pub paths: PathOptions,
 }
@@ -31,8 +30,8 @@ impl LoopOptions {
 
     /// These options with this kernel to compute on.
     #[must_use]
-    pub fn with_kernel(self, kernel: KernelKind) -> Self {
-        LoopOptions { kernel, ..self }
+    pub fn with_kernel(self, kernel: impl Into<AnyKernel>) -> Self {
+        LoopOptions { kernel: kernel.into(), ..self }
     }
 
     /// These options with these paths wanted.
@@ -163,7 +162,8 @@ pub enum LoopError {
 /// *Cost*: O(n log n) for each root that is tried.
 pub fn loops(mesh: &PolygonMesh, options: &LoopOptions) -> Result<LoopReport, LoopError> {
     let mesh = options.view.of(mesh)?;
-    let found = options.kernel.run(mesh.complex(), Ask { options, mesh: &mesh }).map_err(PassError::from)?;
+    let ask = |choice: &GeneratorOptions<'_>| options.kernel.generators(mesh.complex(), choice);
+    let found = options.paths.with_lengths(&mesh, ask).map_err(PassError::from)?;
     Ok(LoopReport { view: options.view, generators: found?, mesh })
 }
 
@@ -189,17 +189,5 @@ impl PathOptions {
     ) -> T {
         let lengths = (self.measure == Measure::Length).then(|| edge_lengths(mesh));
         work(&GeneratorOptions { lengths: lengths.as_ref(), co_tree: self.co_tree, roots: self.roots })
-    }
-}
-
-struct Ask<'a> {
-    options: &'a LoopOptions,
-    mesh: &'a PolygonMesh,
-}
-
-impl KernelTask for Ask<'_> {
-    type Output = Result<Generators, GeneratorError>;
-    fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
-        self.options.paths.with_lengths(self.mesh, |choice| generators(kernel, choice))
     }
 }

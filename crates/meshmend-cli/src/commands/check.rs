@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use meshmend::report::{CheckDocument, json};
 use meshmend::topology::Witness;
-use meshmend::{CheckOptions, CheckReport, DefectKind, KernelKind, Rules, View, check};
+use meshmend::{CheckOptions, CheckReport, DefectKind, View, check};
 
+use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
@@ -27,8 +28,8 @@ pub(crate) struct Check {
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,
     /// The structure to compute on; the answers are the same, unless it can't hold the mesh
-    #[arg(long, default_value = "edge-use", value_parser = words::kernel)]
-    kernel: KernelKind,
+    #[arg(long, default_value = "edge-use")]
+    kernel: String,
     /// Which strip of faces shows that a patch is not orientable
     #[arg(long, value_enum, default_value_t = WitnessWord::BreadthFirst)]
     witness: WitnessWord,
@@ -66,10 +67,15 @@ impl From<WitnessWord> for Witness {
 }
 
 impl Check {
-    pub(crate) fn run(self, rules: Rules, console: &mut Console<'_>) -> Result<Status, Failure> {
+    pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
         let fail_on: Result<Vec<_>, _> =
-            self.fail_on.iter().map(|word| words::defect_kind(rules, word)).collect();
-        let asked = Asked { rules, fail_on: fail_on? };
+            self.fail_on.iter().map(|word| words::defect_kind(program.rules, word)).collect();
+        let options = CheckOptions::default()
+            .with_kernel(words::any_kernel(program.kernels, &self.kernel)?)
+            .with_kernels(program.kernels)
+            .with_witness(self.witness.into())
+            .with_rules(program.rules);
+        let asked = Asked { options, fail_on: fail_on? };
         let (mut status, mut rows) = (Status::Done, Vec::new());
         for (place, file) in self.files.iter().enumerate() {
             if console.is_closed() {
@@ -111,12 +117,8 @@ impl Check {
         let file = self.from.read(path, console)?;
         progress.step(&format!("check {}", name(path)));
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        let options = CheckOptions::default()
-            .with_view(view)
-            .with_kernel(self.kernel)
-            .with_witness(self.witness.into())
-            .with_rules(asked.rules);
-        let report = check(&file.mesh, &options).map_err(|error| Failure::of_pass(&name(path), &error))?;
+        let report = check(&file.mesh, &asked.options.with_view(view))
+            .map_err(|error| Failure::of_pass(&name(path), &error))?;
         let status = if asked.is_failing(&report) { Status::DefectsFound } else { Status::Done };
         let document =
             CheckDocument::new(report.listing(&asked.fail_on), self.limit).of_file(name(path), &file);
@@ -128,9 +130,9 @@ impl Check {
     }
 }
 
-/// What is looked for, and what of it fails a check beside what always does.
+/// How it is looked, and what of what is found fails a check beside what always does.
 struct Asked {
-    rules: Rules,
+    options: CheckOptions,
     fail_on: Vec<DefectKind>,
 }
 

@@ -1,12 +1,17 @@
-//! `meshmend explain`: the words of reports, in sentences.
+//! `meshmend explain`: the words of reports, in sentences; and the structures, also on a mesh.
+
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use meshmend::passes::Passes;
-use meshmend::{KernelKind, Rules};
+use meshmend::{AnyKernel, Format, Kernels, View};
 
+use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
-use crate::render;
+use crate::format_words;
+use crate::render::{self, KernelOn};
+use crate::streams::{InputWords, name};
+use crate::words::{self, Welding};
 
 /// Explain a kind of defect, a pass or a kernel; without a name, list them all
 #[derive(Debug, Args)]
@@ -14,36 +19,74 @@ pub(crate) struct Explain {
     /// The name, as it stands in reports
     #[arg(value_name = "NAME")]
     name: Option<String>,
+    /// A mesh to explain a kernel on: whether the kernel holds it, and of which arrays it then consists
+    #[arg(value_name = "FILE")]
+    pub(super) file: Option<PathBuf>,
+    /// The format of the input, whatever its name and content
+    #[arg(long, value_name = "FORMAT", value_parser = format_words::format, requires = "file")]
+    from: Option<Format>,
+    /// Look at the mesh as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal
+    #[arg(long, value_name = "DISTANCE", value_parser = words::welding, requires = "file")]
+    weld: Option<Welding>,
 }
 
 impl Explain {
-    pub(crate) fn run(
-        self,
-        rules: Rules,
-        passes: Passes,
-        console: &mut Console<'_>,
-    ) -> Result<Status, Failure> {
+    pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
+        let Program { rules, passes, kernels } = *program;
         let style = console.style();
         let text = match self.name.as_deref() {
-            None => render::glossary(rules, passes, style),
-            Some(name) => entry(rules, passes, name)
-                .map(|(heading, text)| render::explanation(&heading, text, style))
-                .ok_or_else(|| {
-                    Failure::usage(format!(
-                        "there is no kind of defect, pass or kernel `{name}`; `meshmend explain` lists them"
-                    ))
-                })?,
+            None => render::glossary(rules, passes, kernels, style),
+            Some(name) => match (kernels.named(name), &self.file) {
+                (Some(kernel), file) => {
+                    let on = match file {
+                        Some(file) => Some(self.on(kernel, kernels, file, console)?),
+                        None => None,
+                    };
+                    render::kernel(kernel, on.as_ref(), style)
+                }
+                (None, None) => entry(program, name)
+                    .map(|(heading, text)| render::explanation(&heading, text, style))
+                    .ok_or_else(|| Failure::usage(unknown(name)))?,
+                (None, Some(_)) if entry(program, name).is_some() => {
+                    return Err(Failure::usage(format!(
+                        "`{name}` is explained without a file; kernels alone take one"
+                    )));
+                }
+                (None, Some(_)) => return Err(Failure::usage(unknown(name))),
+            },
         };
         console.write(&text)?;
         Ok(Status::Done)
     }
+
+    /// How a kernel takes a mesh, and which others hold it.
+    fn on(
+        &self,
+        kernel: AnyKernel,
+        kernels: Kernels,
+        path: &Path,
+        console: &mut Console<'_>,
+    ) -> Result<KernelOn, Failure> {
+        let file = InputWords::of(self.from).read(path, console)?;
+        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
+        let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
+        let holds = |other: &AnyKernel| other.heap_bytes(mesh.complex()).is_ok();
+        Ok(KernelOn {
+            file: name(path),
+            faces: mesh.complex().proper_face_count(),
+            arrays: kernel.arrays(mesh.complex()),
+            holders: kernels.all().filter(holds).map(|other| other.name).collect(),
+        })
+    }
+}
+
+fn unknown(name: &str) -> String {
+    format!("there is no kind of defect, pass or kernel `{name}`; `meshmend explain` lists them")
 }
 
 /// A heading and an explanation.
-fn entry(rules: Rules, passes: Passes, name: &str) -> Option<(String, &'static str)> {
-    let defect = rules.kind(name).map(|kind| (render::defect_heading(kind), kind.explanation()));
-    let pass = || passes.kind(name).map(|pass| (format!("{pass}: a pass"), pass.explanation()));
-    let kernel =
-        || KernelKind::from_name(name).map(|kernel| (format!("{kernel}: a kernel"), kernel.explanation()));
-    defect.or_else(pass).or_else(kernel)
+fn entry(program: &Program, name: &str) -> Option<(String, &'static str)> {
+    let defect = program.rules.kind(name).map(|kind| (render::defect_heading(kind), kind.explanation()));
+    let pass = || program.passes.kind(name).map(|pass| (format!("{pass}: a pass"), pass.explanation()));
+    defect.or_else(pass)
 }

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use meshmend::mesh::{Complex, Connectivity};
+use meshmend::mesh::Complex;
 use meshmend::report::{KernelTrial, KernelsDocument};
-use meshmend::{Format, KernelCost, KernelKind, KernelTask, PolygonMesh, View};
+use meshmend::{AnyKernel, Format, Kernels, PolygonMesh, View};
 
 use super::check::json_line;
 use crate::console::Console;
@@ -19,7 +19,7 @@ use crate::words::{self, Welding};
 
 /// List the kernels and what each holds; with a file, what each costs for it, or why it refuses
 #[derive(Debug, Args)]
-pub(crate) struct Kernels {
+pub(crate) struct KernelsCommand {
     /// The mesh file; `-` is standard input
     #[arg(value_name = "FILE")]
     pub(super) file: Option<PathBuf>,
@@ -40,55 +40,46 @@ pub(crate) struct Kernels {
     json: bool,
 }
 
-impl Kernels {
-    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+impl KernelsCommand {
+    pub(crate) fn run(self, kernels: Kernels, console: &mut Console<'_>) -> Result<Status, Failure> {
         let Some(path) = &self.file else {
-            console.write(&render::kernels(console.style()))?;
+            console.write(&render::kernels(kernels, console.style()))?;
             return Ok(Status::Done);
         };
         let file = InputWords::of(self.from).read(path, console)?;
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
         let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
         drop(file);
-        let text = if self.bench { self.bench(path, &mesh)? } else { tried(path, &mesh, console) };
+        let text =
+            if self.bench { self.bench(kernels, path, &mesh)? } else { tried(kernels, path, &mesh, console) };
         console.write(&text)?;
         Ok(Status::Done)
     }
 
     /// What each kernel costs by the clock.
-    fn bench(&self, path: &Path, mesh: &PolygonMesh) -> Result<String, Failure> {
+    fn bench(&self, kernels: Kernels, path: &Path, mesh: &PolygonMesh) -> Result<String, Failure> {
         let (start, faces) = (Instant::now(), mesh.complex().proper_face_count());
-        let trial = |&kernel: &KernelKind| {
-            let cost = KernelCost::measure(kernel, mesh, self.runs.get(), || start.elapsed());
-            KernelTrial::new(kernel, faces, &cost)
+        let trial = |kernel: AnyKernel| {
+            let cost = kernel.cost(mesh, self.runs.get(), &|| start.elapsed());
+            KernelTrial::new(kernel.name, faces, &cost)
         };
-        let mut document =
-            KernelsDocument::new(faces, self.runs.get(), KernelKind::ALL.iter().map(trial).collect());
+        let mut document = KernelsDocument::new(faces, self.runs.get(), kernels.all().map(trial).collect());
         document.file = Some(name(path));
         if self.json { json_line(&document) } else { Ok(render::kernel_times(&document)) }
     }
 }
 
 /// The list of kernels, and how each takes a mesh.
-fn tried(path: &Path, mesh: &PolygonMesh, console: &Console<'_>) -> String {
-    let trials: Vec<Trial> = KernelKind::ALL.iter().map(|&kernel| trial(kernel, mesh.complex())).collect();
-    let list = render::kernels(console.style());
+fn tried(kernels: Kernels, path: &Path, mesh: &PolygonMesh, console: &Console<'_>) -> String {
+    let trials: Vec<Trial> = kernels.all().map(|kernel| trial(kernel, mesh.complex())).collect();
+    let list = render::kernels(kernels, console.style());
     format!("{list}\n{}", render::trials(&name(path), mesh.complex().proper_face_count(), &trials))
 }
 
 /// Builds a kernel over a complex of its own, so that no kernel profits from what another one has built.
-fn trial(kernel: KernelKind, complex: &Complex) -> Trial {
+fn trial(kernel: AnyKernel, complex: &Complex) -> Trial {
     let fresh = Complex::of(&complex.shared_faces());
     let start = Instant::now();
-    let result = kernel.run(&fresh, HeapBytes).map(|bytes| (bytes, start.elapsed()));
+    let result = kernel.heap_bytes(&fresh).map(|bytes| (bytes, start.elapsed()));
     Trial { kernel, result }
-}
-
-struct HeapBytes;
-
-impl KernelTask for HeapBytes {
-    type Output = usize;
-    fn run<K: Connectivity>(self, kernel: &K) -> usize {
-        kernel.heap_bytes()
-    }
 }

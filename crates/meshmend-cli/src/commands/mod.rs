@@ -48,7 +48,7 @@ pub(crate) enum Command {
     #[cfg(not(feature = "flatten"))]
     Flatten(left_out::LeftOut),
     Make(make::Make),
-    Kernels(kernels::Kernels),
+    Kernels(kernels::KernelsCommand),
     Explain(explain::Explain),
     #[cfg(feature = "completions")]
     Completions(completions::Completions),
@@ -76,7 +76,8 @@ impl Command {
             Command::Kernels(command) => command.file.as_slice(),
             #[cfg(not(feature = "flatten"))]
             Command::Flatten(_) => &[],
-            Command::Make(_) | Command::Explain(_) | Command::Completions(_) => &[],
+            Command::Explain(command) => command.file.as_slice(),
+            Command::Make(_) | Command::Completions(_) => &[],
         }
     }
 
@@ -90,7 +91,7 @@ impl Command {
     pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
         let rules = program.rules;
         match self {
-            Command::Check(command) => command.run(rules, console),
+            Command::Check(command) => command.run(program, console),
             Command::Repair(command) => command.run(rules, console),
             Command::Convert(command) => command.run(console),
             Command::Loops(command) => command.run(console),
@@ -105,8 +106,8 @@ impl Command {
             #[cfg(not(feature = "flatten"))]
             Command::Flatten(command) => command.run("flatten"),
             Command::Make(command) => command.run(console),
-            Command::Kernels(command) => command.run(console),
-            Command::Explain(command) => command.run(rules, program.passes, console),
+            Command::Kernels(command) => command.run(program.kernels, console),
+            Command::Explain(command) => command.run(program, console),
             #[cfg(feature = "completions")]
             Command::Completions(command) => command.run(program, console),
             #[cfg(not(feature = "completions"))]

@@ -8,8 +8,8 @@ use meshmend::formats::{Prepared, held_layers, replace_file, rounding_losses};
 use meshmend::passes::{FaceStorage, Precision, Writing};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
-    CheckOptions, CheckReport, Encoding, Format, KernelKind, Pipeline, Plan, PolygonMesh, ReadFile, Repaired,
-    Rules, Session, View, WriteError, WriteOptions, check, check_in,
+    CheckOptions, CheckReport, Encoding, Format, Pipeline, Plan, PolygonMesh, ReadFile, Repaired, Rules,
+    Session, View, WriteError, WriteOptions, check, check_in,
 };
 
 use super::check::json_line;
@@ -49,8 +49,8 @@ pub(crate) struct Repair {
     #[arg(short, long, visible_alias = "no-report")]
     quiet: bool,
     /// The structure to compute on; the result is the same, unless it can't hold the mesh
-    #[arg(long, default_value = "edge-use", value_parser = words::kernel)]
-    kernel: KernelKind,
+    #[arg(long, default_value = "edge-use")]
+    kernel: String,
     /// How many items each list of the report shows at most, also in JSON; counts are always whole
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
@@ -101,6 +101,7 @@ impl Repair {
         self.check_output()?;
         // What is wrong with the command line is told before anything is read.
         let plan = self.policies.plan()?;
+        let kernel = words::kernel(&self.kernel)?;
         self.check_files()?;
         self.reserve_output(console)?;
 
@@ -117,7 +118,7 @@ impl Repair {
             session = session.with_figures();
             before = Some(self.before(&mut session, &file, rules)?);
         }
-        let session = session.with_kernel(self.kernel).with_progress(|pass| progress.step(pass.name()));
+        let session = session.with_kernel(kernel).with_progress(|pass| progress.step(pass.name()));
         let mut repaired = pipeline.run_in(session).map_err(failed)?;
         progress.step("report");
         let mut document = RepairDocument::new(&file.mesh, &repaired, self.limit);

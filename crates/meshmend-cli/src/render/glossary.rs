@@ -1,13 +1,14 @@
 //! Words explained.
 
 use meshmend::passes::Passes;
-use meshmend::{DefectKind, KernelKind, Rules, Severity};
+use meshmend::{DefectKind, Kernels, Rules, Severity};
 
+use super::lesson::wrapped;
 use super::table;
 use super::{Style, paragraph};
 
 /// How wide a paragraph is.
-const WIDTH: usize = 96;
+pub(super) const WIDTH: usize = 96;
 
 /// A kind of defect, as the heading of its explanation.
 pub(crate) fn defect_heading(kind: DefectKind) -> String {
@@ -22,14 +23,14 @@ pub(crate) fn defect_heading(kind: DefectKind) -> String {
 pub(crate) fn explanation(heading: &str, text: &str, style: Style) -> String {
     let mut page = style.heading(heading);
     page.push('\n');
-    for line in wrapped(text) {
+    for line in wrapped(text, WIDTH) {
         page.push_str(&format!("  {line}\n"));
     }
     page
 }
 
 /// All words that can be explained.
-pub(crate) fn glossary(rules: Rules, passes: Passes, style: Style) -> String {
+pub(crate) fn glossary(rules: Rules, passes: Passes, kernels: Kernels, style: Style) -> String {
     let severity = |kind: DefectKind| match kind.severity() {
         Severity::Defect => "defect".to_owned(),
         Severity::Note => "note".to_owned(),
@@ -37,25 +38,11 @@ pub(crate) fn glossary(rules: Rules, passes: Passes, style: Style) -> String {
     let kind = |kind: DefectKind| vec![kind.code().to_owned(), severity(kind), kind.title().to_owned()];
     let kinds: Vec<Vec<String>> = rules.kinds().map(kind).collect();
     let passes = passes.kinds().into_iter().map(|pass| pass.name().to_owned());
-    let kernels = KernelKind::ALL.iter().map(|kernel| kernel.name().to_owned());
+    let kernels = kernels.all().map(|kernel| kernel.name.to_owned());
     let page = [
         paragraph(&style.heading("kinds of defect"), table::lines(&kinds, &[])),
         paragraph(&style.heading("passes, in their usual order"), passes),
         paragraph(&style.heading("kernels"), kernels),
     ];
     page.concat().trim_start().to_owned()
-}
-
-fn wrapped(text: &str) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + word.chars().count() < WIDTH => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }

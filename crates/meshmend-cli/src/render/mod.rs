@@ -4,7 +4,9 @@ mod check;
 mod conversion;
 mod glossary;
 mod incremental;
+mod kernel;
 mod kernels;
+mod lesson;
 mod loops;
 mod paper_tables;
 #[cfg(feature = "render")]
@@ -21,7 +23,9 @@ pub(crate) use check::check;
 pub(crate) use conversion::conversion;
 pub(crate) use glossary::{defect_heading, explanation, glossary};
 pub(crate) use incremental::incremental;
+pub(crate) use kernel::{KernelOn, kernel};
 pub(crate) use kernels::{Trial, kernel_times, kernels, trials};
+pub(crate) use lesson::lesson;
 pub(crate) use loops::{cut, loops};
 pub(crate) use paper_tables::paper_tables;
 #[cfg(feature = "render")]

@@ -1,6 +1,6 @@
 //! The generators of all components, and the paths that they are.
 
-use meshmend_core::{Column, Connectivity, EdgeId, VertexId};
+use meshmend_core::{Column, Connectivity, EdgeId, Grouped, VertexId};
 
 use super::collect;
 use super::error::GeneratorError;
@@ -44,6 +44,16 @@ pub struct Generators {
 /// *Cost*: O(n log n), times the number of roots that are tried; about 60 bytes a vertex beside what the questions
 /// about components and patches take. Paths are not stored: together they can be as long as n².
 pub fn generators<K: Connectivity>(
+    kernel: &K,
+    options: &GeneratorOptions<'_>,
+) -> Result<Generators, GeneratorError> {
+    match Grouped::if_linear(kernel) {
+        Some(grouped) => generators_of(&grouped, options),
+        None => generators_of(kernel, options),
+    }
+}
+
+fn generators_of<K: Connectivity>(
     kernel: &K,
     options: &GeneratorOptions<'_>,
 ) -> Result<Generators, GeneratorError> {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use meshmend_core::{Column, Connectivity, DefectKind, PolygonMesh, vertex_classes};
+use meshmend_core::{Column, Connectivity, DefectKind, Grouped, PolygonMesh, vertex_classes};
 
 use super::totals::SurfaceTotals;
 use super::{DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness};
@@ -24,6 +24,13 @@ pub fn topology<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> TopologyRepo
 ///
 /// *Cost*: that of [`topology`], and for shortest witnesses that of [`one_sided_loops`].
 pub fn topology_with<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: Witness) -> TopologyReport {
+    match Grouped::if_linear(kernel) {
+        Some(grouped) => all_answers(&grouped, mesh, witness),
+        None => all_answers(kernel, mesh, witness),
+    }
+}
+
+fn all_answers<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: Witness) -> TopologyReport {
     // Questions that need no other's answer are asked at the same time.
     let ((components, vertex_classes), patches) =
         rayon::join(|| (components(kernel), vertex_classes(kernel)), || patches(kernel));

@@ -55,11 +55,37 @@ impl BoundaryLoops {
 /// *Cost*: linear; 8 bytes a vertex where there is a boundary, and 13 a boundary edge.
 pub fn boundary_loops<K: Connectivity>(kernel: &K) -> BoundaryLoops {
     let is_boundary = |edge: &EdgeId| kernel.edge_corners(*edge).nth(1).is_none();
-    let edges: Vec<_> = kernel.edges().filter(is_boundary).map(|edge| kernel.edge_ends(edge)).collect();
+    let boundary = kernel.edges().filter(is_boundary);
+    if K::CAPABILITIES.is_manifold() {
+        return walked(kernel, boundary.collect());
+    }
+    let edges: Vec<_> = boundary.map(|edge| kernel.edge_ends(edge)).collect();
     if edges.is_empty() {
         return BoundaryLoops { starts: vec![0], vertices: Vec::new(), boundary_edges: 0 };
     }
     BoundaryWalk::new(kernel.vertex_count(), edges).loops()
+}
+
+/// The loops of a kernel all of whose vertices have one umbrella, so that each boundary edge has a next one: walked as the
+/// kernel walks.
+fn walked<K: Connectivity>(kernel: &K, boundary: Vec<EdgeId>) -> BoundaryLoops {
+    let mut found = BoundaryLoops { starts: vec![0], vertices: Vec::new(), boundary_edges: boundary.len() };
+    let mut is_walked = Column::<EdgeId, bool>::filled(false, kernel.edge_count());
+    // The lowest edge of a loop leads from its lowest vertex to the lower one of that vertex's neighbours.
+    for first in boundary {
+        let (mut edge, mut from) = (first, kernel.edge_ends(first)[0]);
+        let before = found.vertices.len();
+        while !std::mem::replace(&mut is_walked[edge], true) {
+            found.vertices.push(from);
+            let [low, high] = kernel.edge_ends(edge);
+            from = if from == low { high } else { low };
+            edge = kernel.next_boundary_edge(edge, from).unwrap_or(edge);
+        }
+        if found.vertices.len() > before {
+            found.starts.push(found.vertices.len() as u32);
+        }
+    }
+    found
 }
 
 /// The boundary edges and, for each vertex, which of them meet there.

@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use meshmend_core::Refusal;
-use meshmend_kernels::KernelKind;
+use meshmend_core::{Array, Refusal};
 use serde::Serialize;
 
 use super::SCHEMA;
-use crate::{KernelCost, KernelQuestion};
+use crate::{KernelCost, KernelQuestion, Rung};
 
-/// What each kernel costs on a mesh, or why it refuses.
+/// What each structure costs on a mesh, or why it refuses.
 #[derive(Clone, Debug, Serialize)]
 pub struct KernelsDocument {
     /// The number of this form.
@@ -24,30 +23,53 @@ pub struct KernelsDocument {
     pub kernels: Vec<KernelTrial>,
 }
 
-/// What a kernel costs on a mesh, or why it refuses.
+/// What a structure costs on a mesh, or why it refuses.
 #[derive(Clone, Debug, Serialize)]
 pub struct KernelTrial {
-    /// The kernel's name.
+    /// The structure's name.
     pub name: &'static str,
+    /// How much it can say.
+    pub rung: Rung,
+    /// The questions that it answers.
+    pub answers: Vec<KernelQuestion>,
     /// Bytes on the heap for each proper face; absent where it refuses.
     pub bytes_a_face: Option<f64>,
-    /// The least time for each question; empty if the kernel refuses the mesh.
+    /// The arrays that it consists of.
+    pub arrays: Vec<Array>,
+    /// The least time for each question that was asked; empty if the structure refuses the mesh.
     pub seconds: BTreeMap<KernelQuestion, f64>,
+    /// The questions that were not asked, since they take it quadratic time and the mesh is large.
+    pub linear: Vec<KernelQuestion>,
     /// Why it refuses, if it does.
     pub refusal: Option<String>,
 }
 
 impl KernelTrial {
     /// What came of measuring a kernel on a mesh of so many proper faces.
-    pub fn new(kernel: KernelKind, faces: usize, result: &Result<KernelCost, Refusal>) -> Self {
-        let seconds = |cost: &KernelCost| {
-            KernelQuestion::ALL.map(|question| (question, cost.time(question).as_secs_f64())).into()
+    pub fn new(name: &'static str, faces: usize, result: &Result<KernelCost, Refusal>) -> Self {
+        let trial = KernelTrial {
+            name,
+            rung: Rung::Connectivity,
+            answers: KernelQuestion::ALL.to_vec(),
+            bytes_a_face: None,
+            arrays: Vec::new(),
+            seconds: BTreeMap::new(),
+            linear: Vec::new(),
+            refusal: None,
         };
-        KernelTrial {
-            name: kernel.name(),
-            bytes_a_face: result.as_ref().ok().map(|cost| cost.heap_bytes as f64 / faces.max(1) as f64),
-            seconds: result.as_ref().map(seconds).unwrap_or_default(),
-            refusal: result.as_ref().err().map(ToString::to_string),
+        match result {
+            Err(refusal) => KernelTrial { refusal: Some(refusal.to_string()), ..trial },
+            Ok(cost) => {
+                let seconds = |question| Some((question, cost.time(question)?.as_secs_f64()));
+                let is_left = |question: &KernelQuestion| cost.time(*question).is_none();
+                KernelTrial {
+                    bytes_a_face: Some(cost.heap_bytes as f64 / faces.max(1) as f64),
+                    arrays: cost.arrays.clone(),
+                    seconds: KernelQuestion::ALL.into_iter().filter_map(seconds).collect(),
+                    linear: KernelQuestion::ALL.into_iter().filter(is_left).collect(),
+                    ..trial
+                }
+            }
         }
     }
 }
