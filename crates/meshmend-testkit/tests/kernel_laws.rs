@@ -108,14 +108,14 @@ fn each_law_finds_the_kernel_that_breaks_it() {
         let law = result.unwrap_err();
         assert!(law.contains(what), "{law}");
     };
-    finds(kernel_laws::<Broken<WRONG_NEXT>>(&cube), "next corner");
-    finds(kernel_laws::<Broken<WRONG_EDGE_ORDER>>(&cube), "the sides of e0");
-    finds(kernel_laws::<Broken<LOSES_A_CORNER>>(&cube), "the corners of v1");
-    finds(kernel_laws::<Broken<WRONG_WAY>>(&cube), "the directions of the sides of e0");
-    finds(kernel_laws::<Broken<ENDS_SWAPPED>>(&cube), "the ends of e0");
-    finds(kernel_laws::<Broken<NO_ACROSS>>(&cube), "the side across");
+    finds(kernel_laws::<Broken<WRONG_NEXT>>(&cube), "`next-and-prev`: next_corner(c0) is");
+    finds(kernel_laws::<Broken<WRONG_EDGE_ORDER>>(&cube), "`edge-stars`: edge_corners(e0) is");
+    finds(kernel_laws::<Broken<LOSES_A_CORNER>>(&cube), "`vertex-stars`: vertex_corners(v1) is");
+    finds(kernel_laws::<Broken<WRONG_WAY>>(&cube), "`edge-stars`: edge_sides(e0) is");
+    finds(kernel_laws::<Broken<ENDS_SWAPPED>>(&cube), "`numbering`: edge_ends(e0) is");
+    finds(kernel_laws::<Broken<NO_ACROSS>>(&cube), "`across`: across(c0) is None");
     // Ascending corners of a large fan's hub are in order; those of an octahedron's are not.
-    finds(kernel_laws::<Broken<SAYS_ORDERED>>(&shapes::octahedron().soup.complex()), "not next to");
+    finds(kernel_laws::<Broken<SAYS_ORDERED>>(&shapes::octahedron().soup.complex()), "`rotation`: vertex_corners(v0) is");
 }
 
 #[test]

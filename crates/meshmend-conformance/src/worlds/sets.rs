@@ -1,23 +1,26 @@
-//! Every small mesh there is.
+//! Every set of triangles over a few vertices.
 
 /// Every set of oriented triangles over `vertices` vertices: each triple absent, one way round, or the other.
 ///
 /// Over four vertices there are 81, over five 59 049.
 pub fn oriented_triangle_sets(vertices: u32) -> impl Iterator<Item = Vec<Vec<u32>>> {
     let triples = triples(vertices);
-    (0..3usize.pow(triples.len() as u32)).map(move |code| {
-        let mut digits = code;
-        let mut faces = Vec::new();
-        for &[a, b, c] in &triples {
-            match digits % 3 {
-                0 => {}
-                1 => faces.push(vec![a, b, c]),
-                _ => faces.push(vec![a, c, b]),
-            }
-            digits /= 3;
+    (0..3u32.pow(triples.len() as u32)).map(move |code| oriented_set(&triples, code))
+}
+
+/// The set of oriented triangles whose digits to base 3 are the number's.
+pub(super) fn oriented_set(triples: &[[u32; 3]], code: u32) -> Vec<Vec<u32>> {
+    let mut digits = code;
+    let mut faces = Vec::new();
+    for &[a, b, c] in triples {
+        match digits % 3 {
+            0 => {}
+            1 => faces.push(vec![a, b, c]),
+            _ => faces.push(vec![a, c, b]),
         }
-        faces
-    })
+        digits /= 3;
+    }
+    faces
 }
 
 /// Every set of triangles over `vertices` vertices, each ascending: 2²⁰ over six.
@@ -29,7 +32,8 @@ pub fn triangle_sets(vertices: u32) -> impl Iterator<Item = Vec<Vec<u32>>> {
     })
 }
 
-fn triples(vertices: u32) -> Vec<[u32; 3]> {
+/// Every three of the first vertices, ascending.
+pub(super) fn triples(vertices: u32) -> Vec<[u32; 3]> {
     let pairs = (0..vertices).flat_map(move |a| (a + 1..vertices).map(move |b| [a, b]));
     pairs.flat_map(move |[a, b]| (b + 1..vertices).map(move |c| [a, b, c])).collect()
 }
