@@ -98,12 +98,21 @@ macro_rules! kernels {
 /// The default kernel, which lives in the core because refusals are computed on it.
 pub use meshmend_core::EdgeUse;
 
-kernels! {
-    face_vertex::FaceVertex,
-    adjacency_lists::AdjacencyLists,
-    half_edge::HalfEdge,
-    quad_edge::QuadEdge,
+/// Calls a macro with the row of each kernel but the default one.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! every_kernel {
+    ($with:ident) => {
+        $with! {
+            face_vertex::FaceVertex,
+            adjacency_lists::AdjacencyLists,
+            half_edge::HalfEdge,
+            quad_edge::QuadEdge,
+        }
+    };
 }
+
+every_kernel!(kernels);
 
 impl KernelKind {
     /// The text that teaches it, as [`Lesson::TEXT`] says.

@@ -7,11 +7,21 @@
 use std::collections::BTreeMap;
 
 use meshmend_core::{Capabilities, Complex, Connectivity, Refusal};
-use meshmend_kernels::{KernelKind, KernelTask};
+use meshmend_kernels::*;
 use meshmend_testkit::oracle::{self, OracleReport};
 use meshmend_testkit::shapes::{self, Tiles};
 use meshmend_testkit::{Soup, laws, worlds};
 use proptest::prelude::*;
+
+macro_rules! kept_by {
+    ($($module:ident::$kernel:ident,)*) => {
+        meshmend_conformance::kernel!(edge_use: EdgeUse, at_least = PERMISSIVE);
+        $(meshmend_conformance::kernel!($module: $kernel, at_least = TRIANGLES);)*
+    };
+}
+
+// A test for each law of each kernel, over every small mesh.
+meshmend_kernels::every_kernel!(kept_by);
 
 /// How many random meshes each law is asked about.
 const CASES: u32 = if cfg!(miri) { 2 } else { 1500 };

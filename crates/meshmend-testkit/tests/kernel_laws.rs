@@ -115,7 +115,10 @@ fn each_law_finds_the_kernel_that_breaks_it() {
     finds(kernel_laws::<Broken<ENDS_SWAPPED>>(&cube), "`numbering`: edge_ends(e0) is");
     finds(kernel_laws::<Broken<NO_ACROSS>>(&cube), "`across`: across(c0) is None");
     // Ascending corners of a large fan's hub are in order; those of an octahedron's are not.
-    finds(kernel_laws::<Broken<SAYS_ORDERED>>(&shapes::octahedron().soup.complex()), "`rotation`: vertex_corners(v0) is");
+    finds(
+        kernel_laws::<Broken<SAYS_ORDERED>>(&shapes::octahedron().soup.complex()),
+        "`rotation`: vertex_corners(v0) is",
+    );
 }
 
 #[test]

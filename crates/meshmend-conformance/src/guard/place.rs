@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{Seek, Write};
-use std::panic::panic_any;
+use std::panic::resume_unwind;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
@@ -66,7 +66,7 @@ impl Place {
     pub(crate) fn ask(&self, query: Query, element: u32) {
         self.question.store(u64::from(query.number()) << 32 | u64::from(element), Relaxed);
         if self.closed.load(Relaxed) >> query.number() & 1 == 1 {
-            panic_any(Closed(query));
+            resume_unwind(Box::new(Closed(query)));
         }
         if self.record.is_some() {
             self.write_down();

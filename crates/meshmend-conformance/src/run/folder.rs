@@ -9,7 +9,9 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 /// temporary files where a program was put elsewhere.
 pub(crate) fn output() -> PathBuf {
     let program = std::env::current_exe().unwrap_or_default();
-    let built = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file());
+    let has_tag = |folder: &&Path| folder.join("CACHEDIR.TAG").is_file();
+    let is_target = |folder: &&Path| folder.file_name().is_some_and(|name| name == "target");
+    let built = program.ancestors().find(has_tag).or_else(|| program.ancestors().find(is_target));
     built.map_or_else(std::env::temp_dir, Path::to_path_buf).join("meshmend-conformance")
 }
 

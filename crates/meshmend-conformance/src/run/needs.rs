@@ -2,48 +2,62 @@
 
 use meshmend_core::{Capabilities, Complex, admission};
 
-/// The capabilities by which meshes are admitted: the name, whether a kernel has it, and all but it.
-const EACH: [(&str, fn(&Capabilities) -> bool, Capabilities); 5] = {
-    const ALL: Capabilities = Capabilities::PERMISSIVE;
-    [
-        ("non_simple_faces", |able| able.non_simple_faces, Capabilities { non_simple_faces: false, ..ALL }),
-        (
-            "non_manifold_edges",
-            |able| able.non_manifold_edges,
-            Capabilities { non_manifold_edges: false, ..ALL },
-        ),
-        (
-            "non_manifold_vertices",
-            |able| able.non_manifold_vertices,
-            Capabilities { non_manifold_vertices: false, ..ALL },
-        ),
-        (
-            "mixed_orientation",
-            |able| able.mixed_orientation,
-            Capabilities { mixed_orientation: false, ..ALL },
-        ),
-        ("polygons", |able| able.polygons, Capabilities { polygons: false, ..ALL }),
-    ]
-};
+/// A capability by which meshes are admitted.
+struct Capability {
+    name: &'static str,
+    has: fn(&Capabilities) -> bool,
+    /// All capabilities but this one.
+    others: Capabilities,
+}
+
+const ALL: Capabilities = Capabilities::PERMISSIVE;
+
+const EACH: [Capability; 5] = [
+    Capability {
+        name: "non_simple_faces",
+        has: |able| able.non_simple_faces,
+        others: Capabilities { non_simple_faces: false, ..ALL },
+    },
+    Capability {
+        name: "non_manifold_edges",
+        has: |able| able.non_manifold_edges,
+        others: Capabilities { non_manifold_edges: false, ..ALL },
+    },
+    Capability {
+        name: "non_manifold_vertices",
+        has: |able| able.non_manifold_vertices,
+        others: Capabilities { non_manifold_vertices: false, ..ALL },
+    },
+    Capability {
+        name: "mixed_orientation",
+        has: |able| able.mixed_orientation,
+        others: Capabilities { mixed_orientation: false, ..ALL },
+    },
+    Capability {
+        name: "polygons",
+        has: |able| able.polygons,
+        others: Capabilities { polygons: false, ..ALL },
+    },
+];
 
 /// The capabilities that a kernel claims, one bit each.
 pub(crate) fn claimed(capabilities: &Capabilities) -> u8 {
-    bits(|(_, has, _)| has(capabilities))
+    bits(|each| (each.has)(capabilities))
 }
 
 /// The capabilities without which a complex is not admitted.
 pub(crate) fn needed(complex: &Complex) -> u8 {
-    bits(|(_, _, without)| !admission(complex, without).is_empty())
+    bits(|each| !admission(complex, &each.others).is_empty())
 }
 
 /// Their names, in a row.
 pub(crate) fn names(capabilities: u8) -> String {
     let chosen = EACH.iter().enumerate().filter(|(bit, _)| capabilities >> bit & 1 == 1);
-    let names: Vec<String> = chosen.map(|(_, (name, ..))| format!("CAPABILITIES.{name}")).collect();
+    let names: Vec<String> = chosen.map(|(_, each)| format!("CAPABILITIES.{}", each.name)).collect();
     names.join(" and ")
 }
 
-fn bits(is_set: impl Fn(&(&str, fn(&Capabilities) -> bool, Capabilities)) -> bool) -> u8 {
+fn bits(is_set: impl Fn(&Capability) -> bool) -> u8 {
     EACH.iter().enumerate().map(|(bit, each)| u8::from(is_set(each)) << bit).sum()
 }
 
