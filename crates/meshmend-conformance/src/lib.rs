@@ -2,6 +2,7 @@
 
 #![allow(clippy::expect_used, reason = "this crate is for tests, which stop where they fail")]
 
+pub mod editing;
 mod grade;
 mod guard;
 mod laws;

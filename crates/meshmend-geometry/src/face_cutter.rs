@@ -203,7 +203,7 @@ impl<'a> FaceCutter<'a> {
     fn created(&mut self, [from, to]: [CornerId; 2], (position, ratio): OnDiagonal) -> NewCorner {
         let vertex = VertexId::new(self.mesh.counts().vertices + self.created_vertices.len());
         let place = Blend::Along { from, to, numerator: ratio.0, denominator: ratio.1 };
-        self.created_vertices.push(VertexDraft { position, place });
+        self.created_vertices.push(VertexDraft { position, place: Some(place) });
         NewCorner::Created(place, vertex)
     }
 

@@ -9,6 +9,7 @@
 //! * [`mod@reference`]: the default repair pipeline in exact arithmetic, slow and plain.
 //! * [`worlds`]: proptest strategies, and every small mesh there is.
 //! * [`laws`]: what must be true of any kernel, and of any change to a mesh.
+//! * [`edits`]: the editor by vertex numbers, as the laws of editors ask it.
 //! * [`assert_every_variant`]: that each variant of an error is raised by a case.
 //! * [`miscounted`]: where a message counts one of something as several.
 //!
@@ -17,6 +18,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 pub mod damage;
+pub mod edits;
 pub mod laws;
 mod miscounts;
 pub mod oracle;

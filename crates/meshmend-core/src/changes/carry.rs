@@ -61,7 +61,7 @@ impl PolygonMesh {
         let kept = draft.vertex_sources.iter().filter_map(|(_, old)| Some(layer.vertex_use(old?.index())));
         let mut uses: Vec<u32> = kept.collect();
         for created in &draft.created_vertices {
-            let parts = created.place.parts(self.faces());
+            let parts = created.place.map_or_else(Vec::new, |place| place.parts(self.faces()));
             let parts: Vec<(u32, f64)> = parts
                 .iter()
                 .map(|&(c, weight)| (layer.vertex_use(self.faces().corner_vertex(c).index()), weight))

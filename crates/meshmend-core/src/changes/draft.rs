@@ -16,8 +16,8 @@ use crate::{
 pub struct VertexDraft {
     /// Its point.
     pub position: [f64; 3],
-    /// Where that is in terms of the old mesh.
-    pub place: Blend,
+    /// Where that is in terms of the old mesh. None where nothing of the old mesh is near: it then has no attributes.
+    pub place: Option<Blend>,
 }
 
 /// The mesh that a pass wants, in terms of the one that it was given.

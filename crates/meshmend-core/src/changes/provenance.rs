@@ -23,7 +23,7 @@ pub struct Provenance {
     /// The new faces that run the other way round than their sources, ascending.
     pub flipped: Vec<FaceId>,
     /// The created vertices with their places in terms of the old mesh, ascending; no place is given where it
-    /// depends on elements that were created before.
+    /// depends on elements that were created before, or on none of the old mesh.
     pub created: Vec<(VertexId, Option<Blend>)>,
 }
 

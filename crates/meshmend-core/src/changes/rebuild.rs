@@ -27,7 +27,7 @@ impl PolygonMesh {
             faces: draft.face_sources,
             corners: draft.corner_sources,
             flipped: draft.flipped,
-            created: places.map(|(i, v)| (VertexId::new(kept + i), Some(v.place))).collect(),
+            created: places.map(|(i, v)| (VertexId::new(kept + i), v.place)).collect(),
         };
         let mesh =
             PolygonMesh::new(positions, draft.faces)?.with_loose(edges, points)?.with_layers(layers)?;

@@ -35,7 +35,7 @@ fn created_corners_and_vertices_get_what_lies_between() {
     let corners = [Some(0), Some(1), None, Some(2)].map(|c| c.map(CornerId));
     let draft = Draft {
         vertex_sources: Sources::listed([0, 1, 2, 3].map(|v| Some(VertexId(v))).into_iter().chain([None])),
-        created_vertices: vec![VertexDraft { position: [0.75, 0.25, 0.0], place }],
+        created_vertices: vec![VertexDraft { position: [0.75, 0.25, 0.0], place: Some(place) }],
         created_corners: vec![(CornerId(2), place)],
         ..Draft::of_faces(
             &mesh,
@@ -60,7 +60,7 @@ fn a_vertex_inside_a_face_gets_the_mean_of_its_corners() {
     let sources = [Some(3), Some(4), None, Some(4), Some(5), None, Some(5), Some(3), None];
     let draft = Draft {
         vertex_sources: Sources::listed((0..4).map(|v| Some(VertexId(v))).chain([None])),
-        created_vertices: vec![VertexDraft { position: [0.6, 0.6, 0.0], place }],
+        created_vertices: vec![VertexDraft { position: [0.6, 0.6, 0.0], place: Some(place) }],
         created_corners: [2, 5, 8].map(|c| (CornerId(c), place)).to_vec(),
         ..Draft::of_faces(
             &mesh,
@@ -124,7 +124,7 @@ fn a_created_corner_of_a_layer_that_moves_has_its_vertex_value() {
     let corners = [Some(0), Some(1), None, Some(2), Some(3), Some(4), Some(5)];
     let draft = Draft {
         vertex_sources: Sources::listed([Some(0), Some(1), Some(2), None].map(|v| v.map(VertexId))),
-        created_vertices: vec![VertexDraft { position: [0.5, 0.5, 0.0], place }],
+        created_vertices: vec![VertexDraft { position: [0.5, 0.5, 0.0], place: Some(place) }],
         created_corners: vec![(CornerId(2), place)],
         ..Draft::of_faces(
             &mesh,
@@ -209,7 +209,7 @@ fn created_values_that_are_the_same_are_one_value() {
         let corners = [c(0), c(1), None, c(1), c(2), None, c(2), c(0), None];
         let draft = Draft {
             vertex_sources: Sources::listed([0, 1, 2].map(|v| Some(VertexId(v))).into_iter().chain([None])),
-            created_vertices: vec![VertexDraft { position: [0.1; 3], place }],
+            created_vertices: vec![VertexDraft { position: [0.1; 3], place: Some(place) }],
             created_corners: [2, 5, 8].map(|corner| (CornerId(corner), place)).to_vec(),
             ..Draft::of_faces(&mesh, faces, Sources::listed([Some(FaceId(0)); 3]), Sources::listed(corners))
         };

@@ -64,7 +64,8 @@ pub(crate) fn subdivide<K: Connectivity>(
                 _ => *shared.insert(free.on_edge(ends)),
             };
             let place = inserted.vertices.len() as u32;
-            inserted.vertices.push(VertexDraft { position, place: blend(kernel, complex, corner, ratio) });
+            let place_on_side = Some(blend(kernel, complex, corner, ratio));
+            inserted.vertices.push(VertexDraft { position, place: place_on_side });
             for side in [Some(corner), mate].into_iter().flatten() {
                 inserted.sides.push((side, place, blend(kernel, complex, side, ratio)));
             }
