@@ -32,6 +32,16 @@ impl InputWords {
 
     /// Reads a file, or standard input, with the default limits.
     pub(crate) fn read(self, path: &Path, console: &mut Console<'_>) -> Result<ReadFile, Failure> {
+        self.read_told_by("--from", path, console)
+    }
+
+    /// Reads as [`read`](Self::read) does, for a command that is told the format by another option.
+    pub(crate) fn read_told_by(
+        self,
+        option: &str,
+        path: &Path,
+        console: &mut Console<'_>,
+    ) -> Result<ReadFile, Failure> {
         let options = ReadOptions::default().with_format(self.from);
         if !is_stream(path) {
             return Ok(meshmend::read(path, &options)?);
@@ -42,8 +52,8 @@ impl InputWords {
         read_stream(input, INPUT, &options).map_err(|error| {
             let is_unknown = matches!(error.kind, ReadErrorKind::UnknownFormat { looks_like: None });
             let failure = Failure::from(error);
-            let hint = if is_unknown { "; --from tells it" } else { "" };
-            Failure { message: failure.message + hint, ..failure }
+            let hint = if is_unknown { format!("; {option} tells it") } else { String::new() };
+            Failure { message: failure.message + &hint, ..failure }
         })
     }
 }

@@ -1,7 +1,9 @@
 //! Words of the command line that stand for values of the library.
 
+use meshmend::matrices::{Field, Prime};
+use meshmend::mesh::Cell;
 use meshmend::shapes::{NAMED_SHAPES, NamedShape};
-use meshmend::{AnyKernel, DefectKind, Distance, KernelKind, Kernels, Rules, View};
+use meshmend::{AnyKernel, DefectKind, Distance, EdgeId, FaceId, KernelKind, Kernels, Rules, VertexId, View};
 
 use crate::failure::Failure;
 
@@ -63,6 +65,42 @@ pub(crate) fn kernel(word: &str) -> Result<KernelKind, Failure> {
     })
 }
 
+/// Reads the name of a vertex, an edge or a face, such as `v3`, `e7` or `f0`.
+pub(crate) fn cell(word: &str) -> Result<Cell, String> {
+    let cells: [(char, fn(u32) -> Cell); 3] = [
+        ('v', |number| VertexId(number).into()),
+        ('e', |number| EdgeId(number).into()),
+        ('f', |number| FaceId(number).into()),
+    ];
+    let found = cells.iter().find_map(|(letter, cell)| Some(cell(number(word.strip_prefix(*letter)?)?)));
+    found.ok_or_else(|| "expected the name of a cell, such as v3, e7 or f0".to_owned())
+}
+
+/// Reads the name of a vertex, such as `v3`.
+pub(crate) fn vertex(word: &str) -> Result<VertexId, String> {
+    let number = word.strip_prefix('v').and_then(number);
+    number.map(VertexId).ok_or_else(|| "expected the name of a vertex, such as v3".to_owned())
+}
+
+/// Digits and nothing else.
+fn number(word: &str) -> Option<u32> {
+    word.bytes().all(|byte| byte.is_ascii_digit()).then(|| word.parse().ok()).flatten()
+}
+
+/// Reads a field: a prime, or `Q` for the rationals.
+pub(crate) fn field(word: &str) -> Result<Field, String> {
+    if word.eq_ignore_ascii_case("q") {
+        return Ok(Field::Rationals);
+    }
+    match number(word) {
+        Some(number) => {
+            let prime = Prime::new(number).ok_or_else(|| format!("{number} is not a prime number"))?;
+            Ok(Field::Modulo(prime))
+        }
+        None => Err("expected a prime number below 2^32, or Q for the rationals".to_owned()),
+    }
+}
+
 /// Reads the code of a kind of defect.
 pub(crate) fn defect_kind(rules: Rules, word: &str) -> Result<DefectKind, Failure> {
     rules.kind(word).ok_or_else(|| {
@@ -94,6 +132,27 @@ mod tests {
         }
         for wrong in ["", "%", "-1", "nan", "inf", "1e999", "Exact", "3 mm"] {
             assert!(welding(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn cells_are_a_letter_and_digits() {
+        assert_eq!(cell("v3"), Ok(VertexId(3).into()));
+        assert_eq!((cell("e0"), cell("f4294967295")), (Ok(EdgeId(0).into()), Ok(FaceId(u32::MAX).into())));
+        for wrong in ["", "v", "3", "c3", "v-1", "v+1", "v3 ", "V3", "f4294967296", "vv3", "v٣"] {
+            assert!(cell(wrong).is_err() && vertex(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(vertex("v7"), Ok(VertexId(7)));
+        assert!(vertex("e7").is_err());
+    }
+
+    #[test]
+    fn fields_are_primes_or_q() {
+        assert_eq!((field("2"), field("Q")), (Ok(Field::Modulo(Prime::TWO)), Ok(Field::Rationals)));
+        assert_eq!(field("4"), Err("4 is not a prime number".to_owned()));
+        assert!(field("2147483647").is_ok() && field("2147483648").is_err());
+        for wrong in ["", "R", "-2", "1", "0", "4294967311", "2.0"] {
+            assert!(field(wrong).is_err(), "{wrong}");
         }
     }
 

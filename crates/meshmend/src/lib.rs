@@ -185,11 +185,12 @@
 //! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints.
 //!
 //! The parts are whole crates of their own, here under [`mesh`], [`kernels`], [`topology`], [`geometry`], [`passes`],
-//! [`cutting`], [`formats`] and [`shapes`] ([`matrices`] is a part of [`topology`]); what the main jobs need is also here at the top. With the feature `flatten`
-//! there is `unfold`, which lays a mesh out in the plane.
+//! [`cutting`], [`formats`] and [`shapes`]; [`matrices`] is a part of [`topology`]. What the main jobs need is also here at
+//! the top. With the feature `flatten` there is `unfold`, which lays a mesh out in the plane.
 
 mod check;
 mod loops;
+mod matrix_questions;
 mod mend;
 pub mod report;
 mod structures;
@@ -211,6 +212,7 @@ pub use meshmend_topology::matrices;
 
 pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check, check_in};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, PathOptions, cut, loops};
+pub use matrix_questions::{MatrixAnswers, MatrixError, MatrixQuestions, Neighbourhood};
 pub use mend::repair;
 pub use meshmend_core::{
     CornerId, Defect, DefectKind, EdgeId, Element, FaceId, FaceTable, FaceTableBuilder, FlippedNormals, Id,

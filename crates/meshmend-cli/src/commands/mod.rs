@@ -14,6 +14,7 @@ mod kernels;
 mod left_out;
 mod loops;
 mod make;
+mod matrix;
 #[cfg(feature = "render")]
 mod render;
 mod repair;
@@ -42,6 +43,7 @@ pub(crate) enum Command {
     #[cfg(not(feature = "render"))]
     Render(left_out::LeftOut),
     Incremental(incremental::Incremental),
+    Matrix(Box<matrix::Matrix>),
     #[cfg(feature = "flatten")]
     Flatten(flatten::Flatten),
     /// Lay surfaces out in the unit square (left out of this build)
@@ -71,6 +73,7 @@ impl Command {
             #[cfg(not(feature = "render"))]
             Command::Render(_) => &[],
             Command::Incremental(command) => slice::from_ref(&command.file),
+            Command::Matrix(command) => slice::from_ref(&command.file),
             #[cfg(feature = "flatten")]
             Command::Flatten(command) => slice::from_ref(&command.input),
             Command::Kernels(command) => command.file.as_slice(),
@@ -101,6 +104,7 @@ impl Command {
             #[cfg(not(feature = "render"))]
             Command::Render(command) => command.run("render"),
             Command::Incremental(command) => command.run(console),
+            Command::Matrix(command) => command.run(console),
             #[cfg(feature = "flatten")]
             Command::Flatten(command) => command.run(console),
             #[cfg(not(feature = "flatten"))]

@@ -8,6 +8,7 @@ mod kernel;
 mod kernels;
 mod lesson;
 mod loops;
+mod matrix;
 mod paper_tables;
 #[cfg(feature = "render")]
 mod picture;
@@ -27,6 +28,7 @@ pub(crate) use kernel::{KernelOn, kernel};
 pub(crate) use kernels::{Trial, kernel_times, kernels, trials};
 pub(crate) use lesson::lesson;
 pub(crate) use loops::{cut, loops};
+pub(crate) use matrix::matrix;
 pub(crate) use paper_tables::paper_tables;
 #[cfg(feature = "render")]
 pub(crate) use picture::picture;

@@ -35,8 +35,6 @@ pub(super) struct TooSlow;
 
 /// An approximation is one whose residual is less than this, as a part of the matrix's bound.
 const TOLERANCE: f64 = 1e-12;
-/// How many products of two numbers are summed up before a search gives up: half a minute's worth.
-const WORK: u64 = 1 << 35;
 /// Why not always the same number: so that no start vector is orthogonal to an eigenvector for a reason.
 const SEED: u64 = 0x6d65_7368_6d65_6e64;
 
@@ -45,11 +43,12 @@ pub(super) fn basis_size(count: usize) -> usize {
     2 * count + 60
 }
 
-/// The largest `count` eigenvalues, or as many as there are, the largest one first.
+/// The largest `count` eigenvalues, or as many as there are, the largest one first; within a number of products of two
+/// numbers that are summed up.
 ///
 /// *Cost*: for a basis of m vectors of n numbers, m² n for each time that it fills.
-pub(super) fn largest(matrix: &Symmetric<'_>, count: usize) -> Result<Vec<Pair>, TooSlow> {
-    let mut search = Search { matrix, count, locked: Vec::new(), random: SEED, work: WORK };
+pub(super) fn largest(matrix: &Symmetric<'_>, count: usize, work: u64) -> Result<Vec<Pair>, TooSlow> {
+    let mut search = Search { matrix, count, locked: Vec::new(), random: SEED, work };
     let count = count.min(matrix.size);
     while search.locked.len() < matrix.size {
         let found = Run::begin(&mut search).finish(&mut search)?;

@@ -35,10 +35,12 @@ pub enum RankError {
         cells: usize,
     },
     /// Elimination would take too long.
-    #[error("the rank over {field} takes more than {RANK_BUDGET} steps of elimination")]
+    #[error("ranks over {field} take more than {budget} steps of elimination")]
     OverBudget {
         /// The field.
         field: Field,
+        /// How many matrix entries may be touched.
+        budget: u64,
     },
 }
 
@@ -52,10 +54,27 @@ impl IncidenceMatrices {
     /// *Cost*: nearly linear where edges have up to two faces; elimination for the rest. Over ℚ as often as there are
     /// primes in the list.
     pub fn ranks(&self, field: Field) -> Result<[usize; 2], RankError> {
-        match field {
-            Field::Modulo(prime) => self.ranks_modulo(prime).ok_or(RankError::OverBudget { field }),
-            Field::Rationals => self.rational_ranks(),
+        self.ranks_within(field, RANK_BUDGET)
+    }
+
+    /// The ranks of ∂₁ and ∂₂ over a field, within a budget of matrix entries touched for each rank over a prime.
+    ///
+    /// # Errors
+    /// Those of [`ranks`](Self::ranks), with this budget.
+    ///
+    /// *Cost*: that of [`ranks`](Self::ranks).
+    pub fn ranks_within(&self, field: Field, budget: u64) -> Result<[usize; 2], RankError> {
+        let over_budget = RankError::OverBudget { field, budget };
+        let prime_count = match field {
+            Field::Modulo(prime) => return self.ranks_modulo(prime, budget).ok_or(over_budget),
+            Field::Rationals => self.rational_primes()?,
+        };
+        let mut found = [0; 2];
+        for prime in Prime::descending().take(prime_count) {
+            let [first, second] = self.ranks_modulo(prime, budget).ok_or(over_budget)?;
+            found = [found[0].max(first), found[1].max(second)];
         }
+        Ok(found)
     }
 
     /// The Betti numbers over a field, by the ranks.
@@ -92,22 +111,12 @@ impl IncidenceMatrices {
         [vertices - first, edges - first - second, faces - second]
     }
 
-    fn rational_ranks(&self) -> Result<[usize; 2], RankError> {
+    /// How many primes between 2³⁰ and 2³¹ have a product that is larger than any minor of ∂₁ or ∂₂.
+    fn rational_primes(&self) -> Result<usize, RankError> {
         let cells = self.cell_counts().iter().sum();
         if cells > MOST_RATIONAL_CELLS {
             return Err(RankError::TooLarge { cells });
         }
-        let mut found = [0; 2];
-        for prime in Prime::descending().take(self.rational_primes()) {
-            let [first, second] =
-                self.ranks_modulo(prime).ok_or(RankError::OverBudget { field: Field::Rationals })?;
-            found = [found[0].max(first), found[1].max(second)];
-        }
-        Ok(found)
-    }
-
-    /// How many primes between 2³⁰ and 2³¹ have a product that is larger than any minor of ∂₁ or ∂₂.
-    fn rational_primes(&self) -> usize {
         // In bits: a column of length √n adds half the logarithm of n, here rounded up.
         let bits = |column: &mut dyn Iterator<Item = i64>| {
             let square: u64 = column.map(|entry| entry.unsigned_abs().pow(2)).sum();
@@ -119,10 +128,10 @@ impl IncidenceMatrices {
             .sum();
         let second: f64 =
             (0..faces).map(|f| bits(&mut self.boundary_of_face(FaceId::new(f)).map(|entry| entry.1))).sum();
-        (first.max(second) / 30.0) as usize + 1
+        Ok((first.max(second) / 30.0) as usize + 1)
     }
 
-    fn ranks_modulo(&self, prime: Prime) -> Option<[usize; 2]> {
+    fn ranks_modulo(&self, prime: Prime, budget: u64) -> Option<[usize; 2]> {
         let [vertices, edges, faces] = self.cell_counts();
         let of_edge = |e: usize| -> Row {
             self.boundary_of_edge(EdgeId::new(e)).map(|(vertex, sign)| (vertex.0, sign)).to_vec()
@@ -130,14 +139,16 @@ impl IncidenceMatrices {
         let along_edge = |e: usize| -> Row {
             self.coboundary_of_edge(EdgeId::new(e)).map(|(face, times)| (face.0, times)).collect()
         };
-        let first = rank(prime.field(), vertices, (0..edges).map(of_edge), RANK_BUDGET)?;
-        let second = rank(prime.field(), faces, (0..edges).map(along_edge), RANK_BUDGET)?;
+        let first = rank(prime.field(), vertices, (0..edges).map(of_edge), budget)?;
+        let second = rank(prime.field(), faces, (0..edges).map(along_edge), budget)?;
         Some([first, second])
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use meshmend_testkit::assert_every_variant;
+
     use super::*;
     use crate::shapes::{self, Shape};
 
@@ -172,8 +183,8 @@ mod tests {
         let solid = matrices(&Shape::of(&[&[0, 1, 2, 0, 1, 2, 0, 1, 2]]));
         assert_eq!(solid.ranks(Field::Modulo(Prime::new(3).unwrap())), Ok([2, 0]));
         assert_eq!(solid.ranks(Field::Rationals), Ok([2, 1]));
-        assert_eq!(solid.rational_primes(), 1);
-        assert_eq!(matrices(&shapes::torus(10, 10)).rational_primes(), 1 + 200 * 2 / 2 / 30);
+        assert_eq!(solid.rational_primes(), Ok(1));
+        assert_eq!(matrices(&shapes::torus(10, 10)).rational_primes(), Ok(1 + 200 * 2 / 2 / 30));
     }
 
     #[test]
@@ -184,11 +195,19 @@ mod tests {
     }
 
     #[test]
-    fn q_is_refused_with_the_size() {
+    fn q_is_refused_with_the_size_and_all_else_where_it_would_take_too_long() {
         let large = matrices(&shapes::torus(30, 30));
-        let refused = large.ranks(Field::Rationals).unwrap_err();
-        assert_eq!(refused, RankError::TooLarge { cells: 3600 });
-        assert!(refused.to_string().contains("2000 cells, and there are 3600"), "{refused}");
+        let too_large = large.ranks(Field::Rationals).unwrap_err();
         assert_eq!(large.betti(Field::Modulo(Prime::TWO)), Ok([1, 2, 1]));
+        let branched = matrices(&shapes::disc_with_rim(&[0, 1, 2].repeat(5)));
+        let over_budget = branched.ranks_within(Field::Modulo(Prime::TWO), 3).unwrap_err();
+        let cases = vec![
+            (
+                too_large,
+                "ranks over Q are found for up to 2000 cells, and there are 3600; over a prime there is no such limit",
+            ),
+            (over_budget, "ranks over Z/2 take more than 3 steps of elimination"),
+        ];
+        assert_every_variant!(cases, RankError { TooLarge, OverBudget });
     }
 }

@@ -18,6 +18,9 @@ pub const MOST_EIGENVALUES: usize = 32;
 /// How many numbers a search may keep in memory: half a gigabyte's worth.
 const MOST_NUMBERS: usize = 1 << 26;
 
+/// How many products of two numbers are summed up before a search gives up: half a minute's worth.
+const WORK: u64 = 1 << 35;
+
 /// Of which matrix eigenvalues are found, and which of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Operator {
@@ -102,6 +105,15 @@ pub fn spectrum(
     operator: Operator,
     count: usize,
 ) -> Result<Vec<Eigenvalue>, SpectrumError> {
+    spectrum_within(graph, operator, count, WORK)
+}
+
+fn spectrum_within(
+    graph: &impl Adjacency,
+    operator: Operator,
+    count: usize,
+    work: u64,
+) -> Result<Vec<Eigenvalue>, SpectrumError> {
     let vertices = graph.graph_counts()[0];
     if count > MOST_EIGENVALUES {
         return Err(SpectrumError::TooMany { asked: count });
@@ -130,7 +142,7 @@ pub fn spectrum(
         }
     };
     let matrix = Symmetric { apply: &apply, size: vertices, bound };
-    let pairs = largest(&matrix, count).map_err(|TooSlow| SpectrumError::TooSlow { vertices })?;
+    let pairs = largest(&matrix, count, work).map_err(|TooSlow| SpectrumError::TooSlow { vertices })?;
     Ok(pairs.into_iter().map(|pair| judged(pair, &matrix, sign)).collect())
 }
 
@@ -150,9 +162,24 @@ fn judged(pair: Pair, matrix: &Symmetric<'_>, sign: f64) -> Eigenvalue {
 
 #[cfg(test)]
 mod tests {
+    use meshmend_testkit::assert_every_variant;
+
     use super::*;
     use crate::matrices::Graph;
     use crate::shapes::{self, Shape};
+
+    /// A graph of ten million vertices, without an edge.
+    struct Huge;
+
+    impl Adjacency for Huge {
+        const VIEW: &'static str = "huge";
+        fn graph_counts(&self) -> [usize; 2] {
+            [10_000_000, 0]
+        }
+        fn neighbours(&self, _: VertexId) -> impl Iterator<Item = VertexId> {
+            std::iter::empty()
+        }
+    }
 
     fn graph(shape: &Shape) -> Graph {
         Graph::of(shape.mesh().complex())
@@ -231,7 +258,20 @@ mod tests {
     #[test]
     fn what_is_refused() {
         let triangle = graph(&Shape::of(&[&[0, 1, 2]]));
-        assert_eq!(spectrum(&triangle, Operator::Adjacency, 33), Err(SpectrumError::TooMany { asked: 33 }));
+        let of = Operator::Laplacian;
+        let cases = vec![
+            (spectrum(&triangle, of, 33), "up to 32 eigenvalues are found, not 33"),
+            (
+                spectrum(&Huge, of, 6),
+                "eigenvalues of a graph of 10000000 vertices need more memory than the 512 MiB that are allowed",
+            ),
+            (
+                spectrum_within(&graph(&shapes::torus(30, 30)), of, 6, 1 << 20),
+                "the eigenvalues of this graph of 900 vertices are too close to one another to be told apart soon",
+            ),
+        ];
+        let cases: Vec<_> = cases.into_iter().map(|(found, message)| (found.unwrap_err(), message)).collect();
+        assert_every_variant!(cases, SpectrumError { TooMany, TooLarge, TooSlow });
         assert_eq!(spectrum(&triangle, Operator::Adjacency, 0), Ok(Vec::new()));
         assert_eq!(spectrum(&graph(&Shape::of(&[])), Operator::Laplacian, 3), Ok(Vec::new()));
     }

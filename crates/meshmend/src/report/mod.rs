@@ -20,6 +20,7 @@ mod incremental_document;
 mod kernels_document;
 mod listing;
 mod loops_document;
+mod matrix_document;
 mod repair_document;
 #[cfg(feature = "flatten")]
 mod unfold_document;
@@ -30,6 +31,10 @@ pub use kernels_document::{KernelTrial, KernelsDocument};
 pub use listing::{FacesRound, Listing, MOST_POSITIONS, PlacedDefect};
 pub use loops_document::{
     ComponentLoops, CutComponent, CutDocument, LoopDocument, LoopsDocument, MOST_PATH_VERTICES, SeamDocument,
+};
+pub use matrix_document::{
+    ArraysDocument, EdgeDocument, EigenvalueDocument, LostSideDocument, MatrixDocument, MatrixSize,
+    NeighbourhoodDocument, RankDocument, SpectrumDocument, WalksDocument, WalksTo,
 };
 pub use repair_document::{
     BeforeAndAfter, CreatedVertex, EmptiedNameDocument, FigureChanges, NamedFace, PassDocument,
