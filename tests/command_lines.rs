@@ -21,8 +21,12 @@ fn good(argument: &Arg) -> (String, bool) {
         ("report", _) => ("new.json", true),
         (_, "OUT") => ("new.ply", true),
         (_, "PICTURE" | "OUT.svg") => ("new.svg", true),
+        (_, "OUT.mtx") => ("new.mtx", true),
         (_, "IN" | "FILE") => ("broken.obj", true),
-        (_, "N" | "V" | "G" | "M" | "B") => ("3", false),
+        ("from", "V") => ("v0", false),
+        (_, "CELLS") => ("v0", false),
+        (_, "FIELDS") => ("2", false),
+        (_, "N" | "V" | "G" | "M" | "B" | "K") => ("3", false),
         (_, "TIMES") => ("1", false),
         (_, "DEGREES") => ("-30", false),
         (_, "WxH") => ("320x240", false),
@@ -60,6 +64,11 @@ fn least(command: &Command, but: &Arg) -> Vec<String> {
     // What an option asks for beside itself is not told by its description.
     if command.get_name() == "kernels" && ["runs", "json"].contains(&but.get_id().as_str()) {
         words.push("--bench".to_owned());
+    }
+    match (command.get_name(), but.get_id().as_str()) {
+        ("matrix", "walks") => words.extend(["--from", "v0"].map(str::to_owned)),
+        ("matrix", "from") => words.extend(["--walks", "3"].map(str::to_owned)),
+        _ => {}
     }
     words
 }

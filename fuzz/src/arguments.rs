@@ -10,7 +10,7 @@ use meshmend_io::Format;
 use crate::room::{NAMES, Room};
 
 /// The options and places of the command line that name a file to write.
-const WRITTEN: [&str; 3] = ["output", "report", "plot"];
+const WRITTEN: [&str; 4] = ["output", "report", "plot", "matrix_market"];
 /// The largest numbers that some options are run with: larger ones cost time or memory, and show nothing.
 const LARGEST: [(&str, u64); 8] = [
     ("threads", 4),
@@ -73,7 +73,7 @@ fn assert_files_whole(status: Status, request: Option<&Request>, room: &Room) {
     }
 }
 
-/// A picture begins and ends as it must, a mesh can be read.
+/// A picture begins and ends as it must, a matrix has its entries, a mesh can be read.
 fn assert_whole(name: &str, bytes: &[u8], format: Option<Format>) {
     let end = bytes.trim_ascii_end();
     if bytes.starts_with(b"\x89PNG") {
@@ -82,10 +82,23 @@ fn assert_whole(name: &str, bytes: &[u8], format: Option<Format>) {
     if bytes.starts_with(b"<") {
         return assert!(end.ends_with(b"</svg>"), "{name} is cut off");
     }
+    if bytes.starts_with(b"%%MatrixMarket") {
+        return assert_matrix_whole(name, &String::from_utf8_lossy(bytes));
+    }
     let options = meshmend_io::ReadOptions::default().with_format(format);
     if let Err(error) = meshmend_io::read_bytes(bytes, name, &options) {
         panic!("{error} in\n{}", String::from_utf8_lossy(bytes));
     }
+}
+
+/// A file of the Matrix Market has a header of three lines, and as many entries as that says.
+#[track_caller]
+pub(crate) fn assert_matrix_whole(name: &str, text: &str) {
+    let (lines, sizes) = (text.lines().count(), text.lines().nth(2).unwrap_or_default());
+    assert!(
+        sizes.ends_with(&format!(" {}", lines.saturating_sub(3))),
+        "{name} is cut off: {sizes}, {lines} lines"
+    );
 }
 
 #[track_caller]

@@ -12,6 +12,7 @@ mod arguments;
 mod compare;
 pub mod input;
 mod kernels;
+mod matrices;
 mod readers;
 mod repairs;
 mod room;
@@ -19,6 +20,7 @@ mod round_trip;
 
 pub use arguments::arguments;
 pub use kernels::{analysis, kernels};
+pub use matrices::matrices;
 pub use readers::{formats, obj, off, ply, sniff, stl};
 pub use repairs::{passes, plan, repair};
 pub use round_trip::round_trip;
@@ -39,4 +41,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off formats sniff round_trip kernels analysis repair passes plan arguments);
+targets!(obj ply stl off formats sniff round_trip kernels analysis matrices repair passes plan arguments);

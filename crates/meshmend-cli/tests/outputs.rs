@@ -31,6 +31,7 @@ fn nothing_but_a_mesh_takes_the_place_of_the_input() {
     let mesh = folder.at("mesh.obj");
     for name in &names {
         meshmend(&["incremental", &mesh, "--plot", name]).fails(2, "mesh");
+        meshmend(&["matrix", &mesh, "--matrix-market", name]).fails(2, "mesh");
         meshmend(&["repair", &mesh, "-o", &folder.at("out.ply"), "--report", name]).fails(2, "mesh");
         meshmend(&["repair", &mesh, "--dry-run", "--report", name]).fails(2, "mesh");
         let picture = meshmend(&["render", &mesh, "-o", name]);
@@ -51,6 +52,7 @@ fn nothing_but_a_mesh_takes_the_place_of_another_mesh() {
     let input = folder.at("mesh.obj");
     for victim in [&other, &nameless, &folder.at("new.stl"), &folder.at("new.PLY")] {
         meshmend(&["incremental", &input, "--plot", victim]).fails(2, "mesh");
+        meshmend(&["matrix", &input, "--matrix-market", victim]).fails(2, "mesh");
         meshmend(&["repair", &input, "--dry-run", "--report", victim]).fails(2, "mesh");
     }
     assert_eq!(fs::read_to_string(&other).unwrap(), text);

@@ -58,9 +58,13 @@ fn standard_input_is_checked_as_the_file_is() {
         assert_eq!(of_stream.status.code(), Some(of_file.status), "{name}");
         assert_eq!(text(&of_stream.stdout), of_file.stdout.replace(&path, "standard input"), "{name}");
         assert_eq!(text(&of_stream.stderr), of_file.stderr);
-        for command in
-            [&["loops", "-"][..], &["incremental", "-"], &["kernels", "-"], &["check", "--json", "-"]]
-        {
+        for command in [
+            &["loops", "-"][..],
+            &["incremental", "-"],
+            &["matrix", "-"],
+            &["kernels", "-"],
+            &["check", "--json", "-"],
+        ] {
             let run = piped(command, &content);
             assert!(text(&run.stdout).contains("standard input"), "{command:?}: {}", text(&run.stderr));
         }
@@ -112,6 +116,7 @@ fn every_command_that_writes_a_mesh_or_a_picture_writes_it_to_a_stream_too() {
         (&["render", "-", "-o", "-", "--to", "svg"], b"<svg"),
         (&["render", "-", "-o", "-", "--to", "png"], b"\x89PNG"),
         (&["incremental", "-", "--plot", "-"], b"<svg"),
+        (&["matrix", "-", "--matrix-market", "-"], b"%%MatrixMarket"),
     ] {
         let run = piped(command, &torus.stdout);
         assert_eq!(run.status.code(), Some(0), "{command:?}: {}", text(&run.stderr));
@@ -142,6 +147,9 @@ fn what_can_not_share_a_stream_is_refused_with_the_reason() {
     let told = text(&unknown.stderr);
     assert!(told.starts_with("meshmend: standard input: the format is not known; known are OBJ, "), "{told}");
     assert!(told.ends_with("; --from tells it\n"), "{told}");
+    // There, --from is where walks begin.
+    let unknown = piped(&["matrix", "-"], b"hello");
+    assert!(text(&unknown.stderr).ends_with("; --format tells it\n"), "{}", text(&unknown.stderr));
 }
 
 /// A stream is not a file: the folder may hold a file of that name, and both ends of a pipe may have the same name.

@@ -27,8 +27,8 @@ pub(crate) struct Matrix {
     #[arg(help = format_words::input_help(), value_name = "FILE")]
     pub(super) file: PathBuf,
     /// The format of the input, whatever its name and content
-    #[arg(long, value_name = "FORMAT", value_parser = format_words::format)]
-    format: Option<Format>,
+    #[arg(long = "format", value_name = "FORMAT", value_parser = format_words::format)]
+    input_format: Option<Format>,
     /// Take the mesh as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,
@@ -100,7 +100,7 @@ impl Matrix {
         }
         let progress = console.progress(2);
         progress.step(&format!("read {}", name(&self.file)));
-        let file = InputWords::of(self.format).read_told_by("--format", &self.file, console)?;
+        let file = InputWords::of(self.input_format).read_told_by("--format", &self.file, console)?;
         progress.step("matrices");
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
         let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(&self.file), &error))?;
