@@ -67,13 +67,15 @@ pub(crate) fn kernel(word: &str) -> Result<KernelKind, Failure> {
 
 /// Reads the name of a vertex, an edge or a face, such as `v3`, `e7` or `f0`.
 pub(crate) fn cell(word: &str) -> Result<Cell, String> {
-    let cells: [(char, fn(u32) -> Cell); 3] = [
-        ('v', |number| VertexId(number).into()),
-        ('e', |number| EdgeId(number).into()),
-        ('f', |number| FaceId(number).into()),
-    ];
-    let found = cells.iter().find_map(|(letter, cell)| Some(cell(number(word.strip_prefix(*letter)?)?)));
-    found.ok_or_else(|| "expected the name of a cell, such as v3, e7 or f0".to_owned())
+    let expected = || "expected the name of a cell, such as v3, e7 or f0".to_owned();
+    let (letter, digits) = word.split_at_checked(1).ok_or_else(expected)?;
+    let number = number(digits).ok_or_else(expected)?;
+    match letter {
+        "v" => Ok(VertexId(number).into()),
+        "e" => Ok(EdgeId(number).into()),
+        "f" => Ok(FaceId(number).into()),
+        _ => Err(expected()),
+    }
 }
 
 /// Reads the name of a vertex, such as `v3`.
