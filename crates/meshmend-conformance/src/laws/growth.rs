@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use meshmend_core::{Complex, Connectivity, CornerId, Cost, Costs, EdgeId, FaceId, Id, VertexId};
 
 use super::law::{Breach, Law};
+use crate::guard::{Stopped, caught};
 
 pub(super) const GROWTH: Law = Law {
     id: "growth",
@@ -35,47 +36,70 @@ const NOTICEABLE: Duration = Duration::from_millis(250);
 const MOST_GROWTH: u32 = 24;
 /// So many measurements must agree.
 const RUNS: usize = 2;
+/// Each how many elements it is looked whether the time is up.
+const GLANCE: usize = 16;
 /// So many elements are asked about where each answer may take long by right.
 const FEW: usize = 256;
 
-/// A kind of question: its name, where its cost is declared, and how it is asked about every so many elements.
+/// A kind of question: its name, where its cost is declared, and how it is asked about every so many elements until the time
+/// is up.
 struct Question<K> {
     name: &'static str,
     cost: fn(&Costs) -> Cost,
-    ask: fn(&K, &Complex, usize),
+    ask: fn(&K, &Complex, Asking),
 }
 
-/// Asks kernels over the two sizes about all elements; whoever watches is told before each measurement.
+/// About every how many elements a question is asked, and until when.
+#[derive(Clone, Copy)]
+struct Asking {
+    step: usize,
+    end: Option<Instant>,
+}
+
+/// Asks kernels over the two sizes about all elements; whoever watches is told before each measurement. A question that
+/// panics is another law's matter.
 ///
 /// # Errors
-/// The question whose cost grows with the mesh, though `COSTS` says that it does not.
+/// The question whose cost grows with the mesh, though `COSTS` says that it does not; or one that is not asked any more.
 pub(crate) fn growth<K: Connectivity>(
     kernels: [&K; 2],
     sizes: &Sizes<'_>,
     begins: &dyn Fn(),
-) -> Result<(), Breach> {
+) -> Result<Result<(), Breach>, Stopped> {
     for question in questions::<K>() {
         let cost = (question.cost)(&K::COSTS);
-        if cost == Cost::Linear {
-            continue;
-        }
-        let seconds = |which: usize| {
+        let time = |which: usize, most: Option<Duration>| {
             begins();
-            let complex = sizes.complexes[which];
-            let begun = Instant::now();
-            (question.ask)(kernels[which], complex, step(complex, cost, sizes.is_crowded));
-            begun.elapsed()
+            let (complex, begun) = (sizes.complexes[which], Instant::now());
+            let asking = Asking {
+                step: step(complex, cost, sizes.is_crowded),
+                end: most.and_then(|most| begun.checked_add(most)),
+            };
+            match caught(|| (question.ask)(kernels[which], complex, asking)) {
+                Err(Stopped::Closed(query)) => Err(Stopped::Closed(query)),
+                _ => Ok(begun.elapsed()),
+            }
         };
-        let is_slow = |time: Duration| time >= NOTICEABLE && time > seconds(0) * MOST_GROWTH;
-        if (0..RUNS).all(|_| is_slow(seconds(1))) {
-            return Err(Breach {
+        if cost != Cost::Linear && is_slow(time)? {
+            return Ok(Err(Breach {
                 question: format!("the cost of {} on {}", question.name, sizes.family),
                 found: "linear".to_owned(),
                 expected: format!("{}, as COSTS says", said(cost)),
-            });
+            }));
         }
     }
-    Ok(())
+    Ok(Ok(()))
+}
+
+/// Whether the larger of two meshes takes too long beside the smaller one, in every one of several measurements.
+fn is_slow(time: impl Fn(usize, Option<Duration>) -> Result<Duration, Stopped>) -> Result<bool, Stopped> {
+    for _ in 0..RUNS {
+        let most = NOTICEABLE.max(time(0, None)? * MOST_GROWTH);
+        if time(1, Some(most))? < most {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 fn said(cost: Cost) -> &'static str {
@@ -91,84 +115,56 @@ fn step(complex: &Complex, cost: Cost, is_crowded: bool) -> usize {
     if cost == Cost::Degree && is_crowded { (complex.faces().corner_count() / FEW).max(1) } else { 1 }
 }
 
+macro_rules! questions {
+    ($kernel:ident: $($method:ident of $elements:ident costs $cost:ident $($counted:ident)?,)*) => {
+        vec![$(Question {
+            name: stringify!($method),
+            cost: |costs| costs.$cost,
+            ask: |kernel: &$kernel, complex, asking| {
+                of($elements(complex), asking, |element| kernel.$method(element)$(.$counted())?);
+            },
+        },)*]
+    };
+}
+
 fn questions<K: Connectivity>() -> Vec<Question<K>> {
-    vec![
-        Question {
-            name: "corner_vertex",
-            cost: |costs| costs.corner,
-            ask: |k, c, n| of(corners(c, n), |at| k.corner_vertex(at)),
-        },
-        Question {
-            name: "corner_edge",
-            cost: |costs| costs.corner,
-            ask: |k, c, n| of(corners(c, n), |at| k.corner_edge(at)),
-        },
-        Question {
-            name: "corner_face",
-            cost: |costs| costs.corner,
-            ask: |k, c, n| of(corners(c, n), |at| k.corner_face(at)),
-        },
-        Question {
-            name: "next_corner",
-            cost: |costs| costs.corner,
-            ask: |k, c, n| of(corners(c, n), |at| k.next_corner(at)),
-        },
-        Question {
-            name: "prev_corner",
-            cost: |costs| costs.corner,
-            ask: |k, c, n| of(corners(c, n), |at| k.prev_corner(at)),
-        },
-        Question {
-            name: "edge_ends",
-            cost: |costs| costs.corner,
-            ask: |k, c, n| of(edges(c, n), |at| k.edge_ends(at)),
-        },
-        Question {
-            name: "across",
-            cost: |costs| costs.across,
-            ask: |k, c, n| of(corners(c, n), |at| k.across(at)),
-        },
-        Question {
-            name: "face_corners",
-            cost: |costs| costs.face_star,
-            ask: |k, c, n| of(faces(c, n), |at| k.face_corners(at).count()),
-        },
-        Question {
-            name: "edge_corners",
-            cost: |costs| costs.edge_star,
-            ask: |k, c, n| of(edges(c, n), |at| k.edge_corners(at).count()),
-        },
-        Question {
-            name: "vertex_corners",
-            cost: |costs| costs.vertex_star,
-            ask: |k, c, n| of(vertices(c, n), |at| k.vertex_corners(at).count()),
-        },
-    ]
+    questions! {
+        K:
+        corner_vertex of corners costs corner,
+        corner_edge of corners costs corner,
+        corner_face of corners costs corner,
+        next_corner of corners costs corner,
+        prev_corner of corners costs corner,
+        edge_ends of edges costs corner,
+        across of corners costs across,
+        face_corners of faces costs face_star count,
+        edge_corners of edges costs edge_star count,
+        vertex_corners of vertices costs vertex_star count,
+    }
 }
 
-/// Asks about each element, and has the answers made whatever the compiler thinks of it.
-fn of<I, T>(elements: impl Iterator<Item = I>, ask: impl Fn(I) -> T) {
-    elements.for_each(|element| {
+/// Asks about each element until the time is up, and has the answers made whatever the compiler thinks of it.
+fn of<I, T>(elements: impl Iterator<Item = I>, asking: Asking, ask: impl Fn(I) -> T) {
+    for (number, element) in elements.step_by(asking.step).enumerate() {
         black_box(ask(element));
-    });
+        if number.is_multiple_of(GLANCE) && asking.end.is_some_and(|end| Instant::now() >= end) {
+            break;
+        }
+    }
 }
 
-fn corners(complex: &Complex, step: usize) -> impl Iterator<Item = CornerId> + use<> {
-    every(complex.faces().corner_count(), step)
+fn corners(complex: &Complex) -> impl Iterator<Item = CornerId> + use<> {
+    (0..complex.faces().corner_count()).map(CornerId::new)
 }
 
-fn edges(complex: &Complex, step: usize) -> impl Iterator<Item = EdgeId> + use<> {
-    every(complex.edges().edge_count(), step)
+fn edges(complex: &Complex) -> impl Iterator<Item = EdgeId> + use<> {
+    (0..complex.edges().edge_count()).map(EdgeId::new)
 }
 
-fn faces(complex: &Complex, step: usize) -> impl Iterator<Item = FaceId> + use<> {
-    every(complex.faces().face_count(), step)
+fn faces(complex: &Complex) -> impl Iterator<Item = FaceId> + use<> {
+    (0..complex.faces().face_count()).map(FaceId::new)
 }
 
-fn vertices(complex: &Complex, step: usize) -> impl Iterator<Item = VertexId> + use<> {
-    every(complex.faces().vertex_count(), step)
-}
-
-fn every<I: Id>(count: usize, step: usize) -> impl Iterator<Item = I> + use<I> {
-    (0..count).step_by(step).map(I::new)
+fn vertices(complex: &Complex) -> impl Iterator<Item = VertexId> + use<> {
+    (0..complex.faces().vertex_count()).map(VertexId::new)
 }

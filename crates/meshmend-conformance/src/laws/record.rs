@@ -57,10 +57,10 @@ pub(super) fn pointers<K: Connectivity>(asked: &Asked<'_, K>) -> Result<(), Brea
 fn exists<K: Connectivity>(asked: &Asked<'_, K>, of: Cell, pointer: Pointer) -> Result<(), Breach> {
     let (right, Target::Cell(to)) = (asked.expected, pointer.to) else { return Ok(()) };
     let (index, count, kind) = match to {
-        Cell::Vertex(vertex) => (vertex.index(), right.stars.len(), "vertex"),
-        Cell::Edge(edge) => (edge.index(), right.edges.len(), "edge"),
-        Cell::Face(face) => (face.index(), right.faces.len(), "face"),
-        Cell::Corner(corner) => (corner.index(), right.vertex.len(), "corner"),
+        Cell::Vertex(vertex) => (vertex.index(), right.stars.len(), "a vertex"),
+        Cell::Edge(edge) => (edge.index(), right.edges.len(), "an edge"),
+        Cell::Face(face) => (face.index(), right.faces.len(), "a face"),
+        Cell::Corner(corner) => (corner.index(), right.vertex.len(), "a corner"),
     };
     if index < count {
         return Ok(());
@@ -68,7 +68,7 @@ fn exists<K: Connectivity>(asked: &Asked<'_, K>, of: Cell, pointer: Pointer) -> 
     Err(Breach {
         question: format!("`{}` in pointers({of})", pointer.field),
         found: to.to_string(),
-        expected: format!("a {kind} below {count}"),
+        expected: format!("{kind} below {count}"),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use meshmend_core::{Complex, Connectivity, CornerId};
+use meshmend_core::{Build, Complex, Connectivity, CornerId};
 
 use super::event::{Event, Example, Job};
 use super::findings::{Answer, Findings, finding};
@@ -28,7 +28,8 @@ pub(crate) struct Visit<'a, K> {
 
 /// Each how many meshes the run says where it is.
 const LAP: u32 = 64;
-/// The cross-check is asked on one in so many of the meshes of which there are many.
+/// What takes long is asked on one in so many of the meshes of which there are many: the cross-check, and whether a refusal
+/// has every reason, which needs admission twice.
 const SAMPLED: u32 = 64;
 /// Faces, or corners of one face, of the meshes on which growth is watched.
 const SIZES: [usize; 2] = [2_500, 20_000];
@@ -87,16 +88,23 @@ impl<'a, K: Connectivity> Visit<'a, K> {
 
     /// All laws on one mesh.
     fn on(&mut self, soup: &Soup, is_random: bool, is_sampled: bool) {
-        let mesh = soup.mesh();
-        let complex = mesh.complex();
-        let (at, answer, kernel) = self.build(complex);
+        let mesh = is_sampled.then(|| soup.mesh());
+        let made;
+        let complex = match &mesh {
+            Some(mesh) => mesh.complex(),
+            None => {
+                made = soup.complex();
+                &made
+            }
+        };
+        let (at, answer, kernel) = self.build(complex, is_sampled);
         self.findings.judge(at, answer, Some(complex), || Example::of(soup));
         let Some(kernel) = kernel else { return };
         self.held += 1;
         let expected = Expected::of(complex);
         let opposite = self.opposite.map(|opposite| opposed(&kernel, opposite));
         let opposite = opposite.as_ref().map(|opposite| opposite as &dyn Fn(CornerId) -> Option<CornerId>);
-        let asked = Asked { kernel: &kernel, expected: &expected, mesh: Some(&mesh), opposite };
+        let asked = Asked { kernel: &kernel, expected: &expected, mesh: mesh.as_ref(), opposite };
         let mut are_lists_kept = true;
         for at in 0..self.checks.len() {
             let Check { law, basis, ask } = self.checks[at];
@@ -115,10 +123,10 @@ impl<'a, K: Connectivity> Visit<'a, K> {
     }
 
     /// The kernel over a complex, with what came of building it.
-    fn build(&self, complex: &Complex) -> (At, Answer, Option<Guarded<K>>) {
+    fn build(&self, complex: &Complex, is_sampled: bool) -> (At, Answer, Option<Guarded<K>>) {
         self.go_on("assembly");
         self.place.ask(Query::ASSEMBLE, 0);
-        let built = caught(|| built::<K>(complex));
+        let built = caught(|| if is_sampled { built::<K>(complex) } else { Ok(K::build(complex).ok()) });
         let mut at = self.place.at();
         match built {
             Ok(Ok(kernel)) => {
@@ -146,7 +154,7 @@ impl<'a, K: Connectivity> Visit<'a, K> {
     /// How a law is broken on a mesh, and where; `None` where it is kept or not asked.
     fn broken_on(&self, check: usize, soup: &Soup) -> Option<(At, Answer)> {
         let complex = soup.complex();
-        let kernel = self.build(&complex).2?;
+        let kernel = self.build(&complex, true).2?;
         let expected = Expected::of(&complex);
         let opposite = self.opposite.map(|opposite| opposed(&kernel, opposite));
         let opposite = opposite.as_ref().map(|opposite| opposite as &dyn Fn(CornerId) -> Option<CornerId>);
@@ -174,7 +182,7 @@ impl<'a, K: Connectivity> Visit<'a, K> {
         let name = family.said();
         let mut kernels = Vec::new();
         for mesh in &meshes {
-            let (at, answer, kernel) = self.build(mesh.complex());
+            let (at, answer, kernel) = self.build(mesh.complex(), true);
             self.findings.judge(at, answer, Some(mesh.complex()), || Example::of_family(name.clone()));
             kernels.extend(kernel);
         }
@@ -185,7 +193,7 @@ impl<'a, K: Connectivity> Visit<'a, K> {
         if let ([small, large], [small_mesh, large_mesh]) = (kernels.as_slice(), meshes.as_slice()) {
             let complexes = [small_mesh.complex(), large_mesh.complex()];
             let sizes = Sizes { family: &name, complexes, is_crowded: family.is_crowded };
-            let answer = caught(|| growth([small, large], &sizes, &|| self.place.tick()));
+            let answer = growth([small, large], &sizes, &|| self.place.tick());
             self.findings.judge(self.place.at(), answer, None, || Example::of_family(name.clone()));
         }
     }

@@ -38,7 +38,7 @@ pub(crate) struct Candidate {
     pub(crate) soup: Soup,
     /// Whether it is a random one, which can be smaller still.
     pub(crate) is_random: bool,
-    /// Whether it is one of so many of a kind that what takes long is asked of few of them.
+    /// Whether it is one of so many of a kind that what takes long is asked on few of them.
     pub(crate) is_one_of_many: bool,
 }
 
