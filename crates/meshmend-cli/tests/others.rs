@@ -4,7 +4,7 @@ mod common;
 
 use std::fs;
 
-use common::{Folder, example, meshmend};
+use common::{Folder, example, meshmend, program};
 
 #[test]
 fn a_conversion_changes_nothing_and_names_what_is_lost() {
@@ -90,6 +90,24 @@ fn every_word_of_the_glossary_is_explained() {
         assert!(meshmend(&["explain", word]).succeeds().stdout.starts_with(word), "{word}");
     }
     meshmend(&["explain", "spleen"]).fails(2, "spleen");
+}
+
+/// What a word suggests to try works as it stands, one command after the other.
+#[test]
+fn what_words_suggest_to_try_works() {
+    let mut count = 0;
+    for word in meshmend::words::WORDS {
+        let folder = Folder::new();
+        let page = meshmend(&["explain", word.name]).succeeds().stdout;
+        for line in page.lines().filter_map(|line| line.trim_start().strip_prefix("meshmend ")) {
+            let run = program().args(line.split(' ')).current_dir(folder.at("")).output().unwrap();
+            // A check may find what the word is about.
+            let is_well = matches!(run.status.code(), Some(0 | 1)) && run.stderr.is_empty();
+            assert!(is_well, "{line}: {}", String::from_utf8_lossy(&run.stderr));
+            count += 1;
+        }
+    }
+    assert!(count >= 2 * meshmend::words::WORDS.len(), "{count}");
 }
 
 #[test]

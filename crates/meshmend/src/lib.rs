@@ -197,6 +197,7 @@ mod structures;
 #[cfg(feature = "flatten")]
 mod unfold;
 mod view;
+pub mod words;
 
 pub use meshmend_core as mesh;
 pub use meshmend_cut as cutting;

@@ -3,17 +3,18 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use meshmend::words::Word;
 use meshmend::{AnyKernel, Format, Kernels, View};
 
 use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
-use crate::render::{self, KernelOn};
+use crate::render::{self, KernelOn, Style};
 use crate::streams::{InputWords, name};
 use crate::words::{self, Welding};
 
-/// Explain a kind of defect, a pass or a kernel; without a name, list them all
+/// Explain a kind of defect, a pass, a kernel or a word of topology; without a name, list them all
 #[derive(Debug, Args)]
 pub(crate) struct Explain {
     /// The name, as it stands in reports
@@ -44,10 +45,8 @@ impl Explain {
                     };
                     render::kernel(kernel, on.as_ref(), style)
                 }
-                (None, None) => entry(program, name)
-                    .map(|(heading, text)| render::explanation(&heading, text, style))
-                    .ok_or_else(|| Failure::usage(unknown(name)))?,
-                (None, Some(_)) if entry(program, name).is_some() => {
+                (None, None) => entry(program, name, style).ok_or_else(|| Failure::usage(unknown(name)))?,
+                (None, Some(_)) if entry(program, name, style).is_some() => {
                     return Err(Failure::usage(format!(
                         "`{name}` is explained without a file; kernels alone take one"
                     )));
@@ -81,12 +80,14 @@ impl Explain {
 }
 
 fn unknown(name: &str) -> String {
-    format!("there is no kind of defect, pass or kernel `{name}`; `meshmend explain` lists them")
+    format!("there is no kind of defect, pass, kernel or word `{name}`; `meshmend explain` lists them")
 }
 
-/// A heading and an explanation.
-fn entry(program: &Program, name: &str) -> Option<(String, &'static str)> {
-    let defect = program.rules.kind(name).map(|kind| (render::defect_heading(kind), kind.explanation()));
-    let pass = || program.passes.kind(name).map(|pass| (format!("{pass}: a pass"), pass.explanation()));
-    defect.or_else(pass)
+/// The page of what is not a kernel.
+fn entry(program: &Program, name: &str, style: Style) -> Option<String> {
+    let page = |heading: &str, text| render::explanation(heading, text, style);
+    let defect = program.rules.kind(name).map(|kind| page(&render::defect_heading(kind), kind.explanation()));
+    let pass = || program.passes.kind(name).map(|pass| page(&format!("{pass}: a pass"), pass.explanation()));
+    let word = || Word::from_name(name).map(|word| render::lesson(word.text, style));
+    defect.or_else(pass).or_else(word)
 }

@@ -1,14 +1,12 @@
 //! Words explained.
 
 use meshmend::passes::Passes;
+use meshmend::words::WORDS;
 use meshmend::{DefectKind, Kernels, Rules, Severity};
 
-use super::lesson::wrapped;
+use super::lesson::{WIDTH, wrapped};
 use super::table;
 use super::{Style, paragraph};
-
-/// How wide a paragraph is.
-pub(super) const WIDTH: usize = 96;
 
 /// A kind of defect, as the heading of its explanation.
 pub(crate) fn defect_heading(kind: DefectKind) -> String {
@@ -39,10 +37,12 @@ pub(crate) fn glossary(rules: Rules, passes: Passes, kernels: Kernels, style: St
     let kinds: Vec<Vec<String>> = rules.kinds().map(kind).collect();
     let passes = passes.kinds().into_iter().map(|pass| pass.name().to_owned());
     let kernels = kernels.all().map(|kernel| kernel.name.to_owned());
+    let words = WORDS.iter().map(|word| word.name.to_owned());
     let page = [
         paragraph(&style.heading("kinds of defect"), table::lines(&kinds, &[])),
         paragraph(&style.heading("passes, in their usual order"), passes),
         paragraph(&style.heading("kernels"), kernels),
+        paragraph(&style.heading("words of topology"), words),
     ];
     page.concat().trim_start().to_owned()
 }

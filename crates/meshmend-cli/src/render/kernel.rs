@@ -3,8 +3,7 @@
 use meshmend::mesh::{Array, counted};
 use meshmend::{AnyKernel, DefectKind, Refusal};
 
-use super::glossary::WIDTH;
-use super::lesson::wrapped;
+use super::lesson::{WIDTH, wrapped};
 use super::{Style, lesson, printable};
 
 /// How a kernel takes a mesh, and which others do.

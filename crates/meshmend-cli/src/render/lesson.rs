@@ -1,7 +1,9 @@
 //! Markdown laid out for the terminal: headings, paragraphs, lists, figures and tables, and nothing else.
 
 use super::Style;
-use super::glossary::WIDTH;
+
+/// How wide a paragraph is.
+pub(super) const WIDTH: usize = 96;
 
 /// A text in Markdown as lines of a page.
 pub(crate) fn lesson(text: &str, style: Style) -> String {
