@@ -59,8 +59,8 @@ impl<I: Id, T> Column<I, T> {
         self.values
     }
 
-    /// How many elements have a place.
-    pub(crate) fn capacity(&self) -> usize {
+    /// How many elements there is room for.
+    pub fn capacity(&self) -> usize {
         self.values.capacity()
     }
 

