@@ -23,6 +23,13 @@ impl<I: Id, T> Column<I, T> {
         Column::from(vec![value; count])
     }
 
+    /// The values of an iterator that knows how many it gives, without room for more.
+    pub fn exactly(values: impl ExactSizeIterator<Item = T>) -> Self {
+        let mut exact = Vec::with_capacity(values.len());
+        exact.extend(values);
+        Column::from(exact)
+    }
+
     /// How many elements have a value.
     pub fn len(&self) -> usize {
         self.values.len()

@@ -50,9 +50,8 @@ impl Connectivity for CornerTable {
                 vertex_corner[faces.corner_vertex(one)] = one;
             }
         }
-        let mut corner_edge = Vec::with_capacity(faces.corner_count());
-        corner_edge.extend(faces.corners().map(|corner| table.corner_edge(corner)));
-        let (triangles, corner_edge) = (Triangles::of(&faces), corner_edge.into());
+        let corner_edge = Column::exactly(faces.corners().map(|corner| table.corner_edge(corner)));
+        let triangles = Triangles::of(&faces);
         CornerTable { faces, triangles, opposite, corner_edge, edge_corner, vertex_corner }
     }
 

@@ -35,9 +35,11 @@
 mod adjacency_lists;
 mod corner_table;
 mod face_vertex;
+mod generalised_map;
 mod half_edge;
 mod quad_edge;
 mod registry;
+mod rotation_system;
 mod simple_record;
 mod triangles;
 mod winged_edge;

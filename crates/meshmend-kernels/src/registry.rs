@@ -111,6 +111,8 @@ macro_rules! every_kernel {
             winged_edge::WingedEdge,
             corner_table::CornerTable,
             simple_record::SimpleRecord,
+            generalised_map::GeneralisedMap,
+            rotation_system::RotationSystem,
         }
     };
 }

@@ -75,8 +75,7 @@ impl Connectivity for SimpleRecord {
     fn assemble(complex: &Complex) -> Self {
         let (faces, table) = (complex.faces(), complex.edges());
         let triangles = Triangles::of(faces);
-        let mut edges = Vec::with_capacity(table.edge_count());
-        edges.extend(table.edges().map(|edge| {
+        let edges = Column::exactly(table.edges().map(|edge| {
             let mut along = [NO_FACE; 2];
             let sides = table.edge_corners(edge);
             along.iter_mut().zip(sides).for_each(|(face, side)| *face = triangles.corner_face(side));
@@ -88,7 +87,7 @@ impl Connectivity for SimpleRecord {
             record.vertices[place] = faces.corner_vertex(corner);
             record.edges[place] = table.corner_edge(corner);
         }
-        SimpleRecord { vertex_count: faces.vertex_count(), triangles, edges: edges.into(), faces: records }
+        SimpleRecord { vertex_count: faces.vertex_count(), triangles, edges, faces: records }
     }
 
     fn vertex_count(&self) -> usize {

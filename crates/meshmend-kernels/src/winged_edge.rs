@@ -296,24 +296,20 @@ impl Side {
 
 /// The edges with their ends and the corners that own their sides.
 fn bare_records(table: &EdgeTable) -> Column<EdgeId, Record> {
-    let mut records = Vec::with_capacity(table.edge_count());
-    records.extend(table.edges().map(|edge| {
+    Column::exactly(table.edges().map(|edge| {
         let mut corners = [NO_CORNER; 2];
         for side in table.edge_sides(edge) {
             corners[usize::from(!side.is_forward())] = side.corner();
         }
         Record { ends: table.ends(edge), faces: [NO_FACE; 2], wings: [[NO_EDGE; 2]; 2], corners }
-    }));
-    records.into()
+    }))
 }
 
 fn sides_of_corners(faces: &FaceTable, table: &EdgeTable) -> Column<CornerId, Side> {
-    let mut sides = Vec::with_capacity(faces.corner_count());
-    sides.extend(faces.corners().map(|corner| {
+    Column::exactly(faces.corners().map(|corner| {
         let edge = table.corner_edge(corner);
         Side::new(edge, usize::from(faces.corner_vertex(corner) != table.ends(edge)[0]))
-    }));
-    sides.into()
+    }))
 }
 
 impl WingedEdge {
