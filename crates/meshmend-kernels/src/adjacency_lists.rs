@@ -1,29 +1,8 @@
-//! Adjacency lists: every kind of neighbour of every kind of element, written down.
-//!
-//! ```text
-//!        v3                 vertex   edges        corners      edge   ends    sides      face   edges
-//!      ↙ f1 ↖               v0       e0 e1 e2     c0 c3        e0     v0 v1   c0         f0     e0 e3 e1
-//!    v0 ───── v2            v1       e0 e3        c1           e1     v0 v2   c2 c3      f1     e1 e4 e2
-//!      ↘ f0 ↗               v2       e1 e3 e4     c2 c4        e2     v0 v3   c5
-//!        v1                 v3       e2 e4        c5           ...
-//! ```
-//!
-//! *Layout*: for each vertex its edges (14 bytes a triangle) and its corners (14); for each edge its ends (12) and
-//! its sides (18); for each face its edges, one a corner (12). 70 bytes a triangle in all. Faces of other sizes
-//! add 4 bytes a corner for corner → face.
-//!
-//! *Admits* anything: lists grow as long as they have to.
-//!
-//! *Cost*: every query is constant time for each answer, the neighbours of a vertex included.
-//!
-//! *Choose it* where the graph of vertices and edges is asked about as often as the faces. It is the largest of
-//! the permissive kernels, and what it says twice must agree.
-//!
-//! *Source*: the classical adjacency relations, as in course notes on the storage of polygonal meshes.
+#![doc = include_str!("adjacency_lists.md")]
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceIndex, Id, Lesson, Lists,
-    VertexId,
+    Array, Capabilities, Cell, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceIndex, Id,
+    Lesson, Lists, Per, Pointer, VertexId,
 };
 
 /// The adjacency lists of a complex.
@@ -37,27 +16,8 @@ pub struct AdjacencyLists {
     vertex_corners: Lists<VertexId, CornerId>,
 }
 
-impl AdjacencyLists {
-    /// The edges that end at a vertex, ascending.
-    pub fn vertex_edges(&self, vertex: VertexId) -> impl ExactSizeIterator<Item = EdgeId> + Clone {
-        self.vertex_edges.of(vertex).iter().copied()
-    }
-
-    /// The vertices that share an edge with a vertex, in the order of those edges.
-    pub fn neighbours(&self, vertex: VertexId) -> impl ExactSizeIterator<Item = VertexId> + Clone {
-        self.vertex_edges(vertex).map(move |edge| {
-            let [low, high] = self.edge_ends[edge];
-            if low == vertex { high } else { low }
-        })
-    }
-}
-
 impl Lesson for AdjacencyLists {
-    const TEXT: &'static str = "Every kind of neighbour is written down: the edges and corners of each \
-        vertex, the ends and sides of each edge, the edges of each face. It holds any complex, since lists grow \
-        as long as they have to, in 70 bytes a triangle beside the faces themselves. Every query takes constant \
-        time for each answer, the neighbours of a vertex included. Source: the classical adjacency relations, \
-        as in course notes on the storage of polygonal meshes.";
+    const TEXT: &'static str = include_str!("adjacency_lists.md");
 }
 
 impl Connectivity for AdjacencyLists {
@@ -138,6 +98,10 @@ impl Connectivity for AdjacencyLists {
     fn vertex_corners(&self, vertex: VertexId) -> impl Iterator<Item = CornerId> + Clone {
         self.vertex_corners.of(vertex).iter().copied()
     }
+    #[inline]
+    fn vertex_edges(&self, vertex: VertexId) -> impl Iterator<Item = EdgeId> + Clone {
+        self.vertex_edges.of(vertex).iter().copied()
+    }
 
     fn heap_bytes(&self) -> usize {
         self.faces.heap_bytes()
@@ -146,6 +110,44 @@ impl Connectivity for AdjacencyLists {
             + self.edge_corners.heap_bytes()
             + self.vertex_edges.heap_bytes()
             + self.vertex_corners.heap_bytes()
+    }
+
+    fn arrays(&self) -> Vec<Array> {
+        let mut arrays = vec![
+            Array::of_column("face edges", Per::Corner, &self.face_edges),
+            Array::of_column("edge ends", Per::Edge, &self.edge_ends),
+        ];
+        arrays.extend(self.edge_corners.arrays(("edge starts", Per::Edge), ("edge sides", Per::Corner)));
+        arrays.extend(
+            self.vertex_edges.arrays(("vertex edge starts", Per::Vertex), ("vertex edges", Per::Dart)),
+        );
+        let names = (("vertex corner starts", Per::Vertex), ("vertex corners", Per::Corner));
+        arrays.extend(self.vertex_corners.arrays(names.0, names.1));
+        arrays.extend(self.faces.array());
+        arrays
+    }
+
+    fn pointers(&self, of: Cell) -> Vec<Pointer> {
+        match of {
+            Cell::Vertex(vertex) => {
+                let edges = self.vertex_edges(vertex).map(|edge| Pointer::new("edge", edge));
+                edges
+                    .chain(self.vertex_corners(vertex).map(|corner| Pointer::new("corner", corner)))
+                    .collect()
+            }
+            Cell::Edge(edge) => {
+                let ends = self.edge_ends[edge].map(|end| Pointer::new("end", end));
+                let sides = self.edge_corners(edge).map(|side| Pointer::new("side", side));
+                ends.into_iter().chain(sides).collect()
+            }
+            Cell::Face(face) => {
+                self.face_corners(face).map(|side| Pointer::new("edge", self.face_edges[side])).collect()
+            }
+            Cell::Corner(corner) => vec![
+                Pointer::new("vertex", self.corner_vertex(corner)),
+                Pointer::new("edge", self.face_edges[corner]),
+            ],
+        }
     }
 }
 
@@ -162,7 +164,7 @@ mod tests {
         let corners = [0, 1, 2, 0, 2, 3].map(VertexId).to_vec();
         let faces = Arc::new(FaceTable::triangles(5, corners).unwrap());
         let kernel = AdjacencyLists::assemble(&Complex::of(&faces));
-        let neighbours = |v: u32| kernel.neighbours(VertexId(v)).map(|n| n.0).collect::<Vec<_>>();
+        let neighbours = |v: u32| kernel.vertex_neighbours(VertexId(v)).map(|n| n.0).collect::<Vec<_>>();
         assert_eq!(neighbours(0), [1, 2, 3]);
         assert_eq!(neighbours(2), [0, 1, 3]);
         assert_eq!(neighbours(4), [0u32; 0]);

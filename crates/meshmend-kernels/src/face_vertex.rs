@@ -1,37 +1,11 @@
-//! The face-vertex table: faces list their vertices, vertices list their faces, and edges are looked up.
-//!
-//! ```text
-//!        v3                  f0 : v0 v1 v2         v0 : f0 f1       e0 : v0 v1
-//!      ↙ f1 ↖                f1 : v0 v2 v3         v1 : f0          e1 : v0 v2
-//!    v0 ───── v2                                   v2 : f0 f1       e2 : v0 v3
-//!      ↘ f0 ↗                                      v3 : f1          ...
-//!        v1
-//!                       which faces are along e1?  Those at v0 that also step to or from v2.
-//! ```
-//!
-//! *Layout*: the face table, which the mesh shares; for each vertex its faces, as the corners by which they touch
-//! it (14 bytes a triangle); the edges' ends and where each smaller vertex's edges begin (14 bytes a triangle). No
-//! array leads from a side to its edge, from an edge to its sides, or from a corner to its face.
-//!
-//! *Admits* anything.
-//!
-//! *Cost*: corners of a face or vertex in constant time each. The edge of a corner is a binary search among the
-//! smaller vertex's edges. The sides of an edge are found by looking round that end of it which has fewer corners:
-//! about six looks on an ordinary triangle mesh, and even between crowded vertices no more than a power of 3/2 of
-//! the mesh's size for all edges together. The face of a corner is a division for triangles, else a binary search.
-//!
-//! *Choose it* where memory is short and questions are asked of faces and vertices. It is what files and graphics
-//! cards hold, and the plainest check on every other kernel.
-//!
-//! *Source*: course notes on the storage of polygonal meshes; A. Bærentzen, *On the Topology of Polygonal
-//! Meshes*, 2025, §2.1.
+#![doc = include_str!("face_vertex.md")]
 
 use std::slice;
 use std::sync::Arc;
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceTable, Id, Lesson, Lists,
-    VertexId,
+    Array, Capabilities, Cell, Column, Complex, Connectivity, CornerId, Cost, Costs, EdgeId, FaceId,
+    FaceTable, Id, Lesson, Lists, Per, Pointer, VertexId,
 };
 
 /// The face-vertex table of a complex.
@@ -46,17 +20,14 @@ pub struct FaceVertex {
 }
 
 impl Lesson for FaceVertex {
-    const TEXT: &'static str = "Faces list their vertices and vertices list their faces; of edges only \
-        the ends are stored, and which faces run along an edge is found by looking round that end of it which \
-        has fewer faces. It holds any complex, in 28 bytes a triangle beside the faces themselves, the least of \
-        all kernels. The edge of a side takes a binary search, the sides of an edge a look at every face of one \
-        vertex. Source: course notes on the storage of polygonal meshes; A. Bærentzen, On the Topology of \
-        Polygonal Meshes, 2025, section 2.1.";
+    const TEXT: &'static str = include_str!("face_vertex.md");
 }
 
 impl Connectivity for FaceVertex {
     const NAME: &'static str = "face-vertex";
     const CAPABILITIES: Capabilities = Capabilities::PERMISSIVE;
+    const COSTS: Costs =
+        Costs { corner: Cost::Degree, edge_star: Cost::Degree, across: Cost::Degree, ..Costs::CONSTANT };
 
     fn assemble(complex: &Complex) -> Self {
         let faces = complex.shared_faces();
@@ -131,6 +102,29 @@ impl Connectivity for FaceVertex {
         self.vertex_corners.heap_bytes()
             + self.ends.heap_bytes()
             + self.first_edge.capacity() * size_of::<u32>()
+    }
+
+    fn arrays(&self) -> Vec<Array> {
+        let mut arrays = self
+            .vertex_corners
+            .arrays(("vertex starts", Per::Vertex), ("vertex corners", Per::Corner))
+            .to_vec();
+        arrays.push(Array::of_column("edge ends", Per::Edge, &self.ends));
+        arrays.push(Array::new("first edge", Per::Vertex, size_of::<u32>(), self.first_edge.capacity()));
+        arrays
+    }
+
+    fn pointers(&self, of: Cell) -> Vec<Pointer> {
+        match of {
+            Cell::Vertex(vertex) => {
+                self.vertex_corners(vertex).map(|corner| Pointer::new("corner", corner)).collect()
+            }
+            Cell::Edge(edge) => self.ends[edge].map(|end| Pointer::new("end", end)).to_vec(),
+            Cell::Face(face) => {
+                self.face_vertices(face).map(|vertex| Pointer::new("vertex", vertex)).collect()
+            }
+            Cell::Corner(corner) => vec![Pointer::new("vertex", self.corner_vertex(corner))],
+        }
     }
 }
 

@@ -1,37 +1,10 @@
-//! The half-edge structure: each edge split lengthwise into two halves, one for each face that it borders.
-//!
-//! ```text
-//!              target                 next:   the following half-edge of the same face
-//!              ↗│ │↖                  prev:   the one before
-//!        next ╱ │ │ ╲                 twin:   the other half of the edge, running the other way
-//!            ╱  │ │  ╲                origin: the vertex where it begins
-//!           ╱ h ↑ ↓   ╲               face:   the face on its left; none for a half along the boundary
-//!          ╱    │ │twin╲              edge:   the edge that it is half of
-//!        prev ↘ │ │
-//!              origin                 one half-edge each for a vertex, an edge and a face
-//! ```
-//!
-//! *Layout*: 24 bytes a half-edge, and one half-edge for each vertex, edge and face: 84 bytes a triangle. Half-edge
-//! `h` is corner `h`; those along the boundary follow at the end and run round the holes.
-//!
-//! *Admits* manifold, consistently oriented meshes of simple faces. `twin` is one half-edge and no list, so an edge
-//! has at most two sides; it runs the other way, so the two sides do too; and a vertex has one half-edge, from which
-//! its other corners are reached only if they form one umbrella.
-//!
-//! *Cost*: every query is constant time for each answer; all of them walk along the records. The corners of a vertex
-//! come counter-clockwise, seen from where its faces run so: from the boundary on, or else from the lowest corner.
-//!
-//! *Choose it* to walk on a surface: along a boundary, round a vertex, from face to face. It is what most textbooks
-//! and libraries mean by a mesh, so what it refuses is what they will have trouble with.
-//!
-//! *Source*: D. Muller, F. Preparata, *Finding the intersection of two convex polyhedra*, 1978 (the doubly connected
-//! edge list); course notes on the storage of polygonal meshes.
+#![doc = include_str!("half_edge.md")]
 
 use std::iter;
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, Lesson,
-    ManifoldConnectivity, VertexId,
+    Array, Capabilities, Cell, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable,
+    Id, Lesson, ManifoldConnectivity, Per, Pointer, Target, VertexId,
 };
 
 /// The half-edge structure of a manifold complex.
@@ -79,15 +52,21 @@ impl HalfEdge {
     fn is_outside(&self, half: Half) -> bool {
         self.halves[half].face == NO_FACE
     }
+
+    /// What a half-edge is to others: a corner, or one along the boundary.
+    fn target(&self, half: Half) -> Target {
+        if half == NO_HALF {
+            Target::Nothing
+        } else if half.index() < self.corner_count {
+            Target::Cell(half.into())
+        } else {
+            Target::Dart(half.0)
+        }
+    }
 }
 
 impl Lesson for HalfEdge {
-    const TEXT: &'static str = "Each edge is split lengthwise into two halves that run opposite ways, one \
-        for each face it borders; a half knows the next and previous one of its face, its twin, origin, face and \
-        edge. It holds manifold, consistently oriented meshes of simple faces, in 84 bytes a triangle. Every \
-        query walks from record to record in constant time for each answer, and the corners of a vertex come in \
-        rotational order. Source: the doubly connected edge list of D. Muller and F. Preparata, Finding the \
-        intersection of two convex polyhedra, 1978; course notes on the storage of polygonal meshes.";
+    const TEXT: &'static str = include_str!("half_edge.md");
 }
 
 impl Connectivity for HalfEdge {
@@ -174,11 +153,54 @@ impl Connectivity for HalfEdge {
         Some(self.halves[corner].twin).filter(|&twin| !self.is_outside(twin))
     }
 
+    /// The next half-edge along the hole, or the previous one.
+    #[inline]
+    fn next_boundary_edge(&self, edge: EdgeId, at: VertexId) -> Option<EdgeId> {
+        let inside = self.halves[self.edge_half[edge]];
+        let outside = self.halves[inside.twin];
+        let along = match at {
+            _ if outside.face != NO_FACE => return None,
+            at if at == inside.origin => outside.next,
+            at if at == outside.origin => outside.prev,
+            _ => return None,
+        };
+        Some(self.halves[along].edge)
+    }
+
     fn heap_bytes(&self) -> usize {
         self.halves.heap_bytes()
             + self.vertex_half.heap_bytes()
             + self.edge_half.heap_bytes()
             + self.face_half.heap_bytes()
+    }
+
+    fn arrays(&self) -> Vec<Array> {
+        let field = |name| Array::new(name, Per::Dart, size_of::<u32>(), self.halves.capacity());
+        let mut arrays = ["next", "prev", "twin", "origin", "face", "edge"].map(field).to_vec();
+        arrays.push(Array::of_column("vertex half", Per::Vertex, &self.vertex_half));
+        arrays.push(Array::of_column("edge half", Per::Edge, &self.edge_half));
+        arrays.push(Array::of_column("face half", Per::Face, &self.face_half));
+        arrays
+    }
+
+    fn pointers(&self, of: Cell) -> Vec<Pointer> {
+        let half = |field, half: Half| Pointer { field, to: self.target(half) };
+        match of {
+            Cell::Corner(corner) => {
+                let record = self.halves[corner];
+                vec![
+                    half("next", record.next),
+                    half("prev", record.prev),
+                    half("twin", record.twin),
+                    Pointer::new("origin", record.origin),
+                    Pointer::new("face", record.face),
+                    Pointer::new("edge", record.edge),
+                ]
+            }
+            Cell::Vertex(vertex) => vec![half("half", self.vertex_half[vertex])],
+            Cell::Edge(edge) => vec![half("half", self.edge_half[edge])],
+            Cell::Face(face) => vec![half("half", self.face_half[face])],
+        }
     }
 }
 

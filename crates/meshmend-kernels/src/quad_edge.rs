@@ -1,43 +1,12 @@
-//! The quad-edge structure: each edge knows what comes next about its two ends and its two faces, on either side.
-//!
-//! ```text
-//!             Dest                     a record an edge:   next   Onext for each quarter turn
-//!              │                                           ends   origin and destination
-//!      Left ···┼··· Right                                  faces  left and right
-//!              │                                           sides  the corners whose sides lie left and right
-//!             Org
-//!                          Turn an edge by a quarter and it is an edge of the dual, from face to face: vertices
-//!                          and faces are the same thing. Flip it and the surface is seen from its other side.
-//! ```
-//!
-//! The first side of an edge runs along its record, with the face on the left. The second one has its face on the
-//! right: it is the edge turned back (Sym), or, if both sides run the same way, the edge flipped (Flip). So no
-//! direction has to be chosen for the surface, and there need not be one. Along a boundary the right face is a
-//! *hole*, a face without corners that is numbered after the mesh's own.
-//!
-//! *Layout*: a record an edge (48 bytes), an edge a corner, and a place to begin for each vertex and face: 92 bytes a
-//! triangle. The record of an edge has the edge's own number, so that a reference to it takes 4 bytes.
-//!
-//! *Admits* manifold meshes, orientable or not, their faces directed as they please, non-simple ones among them:
-//! what follows what is said of sides and never of vertices, so a face may come back to a vertex or an edge as long
-//! as the corners there form one umbrella.
-//!
-//! *Cost*: every query is constant time for each answer. The corners of a vertex come in rotational order:
-//! counter-clockwise as the face of its lowest corner runs, from the boundary on, or else from that corner.
-//!
-//! *Choose it* for surfaces without a side (Moebius bands, Klein bottles), and wherever the dual is wanted as much
-//! as the mesh.
-//!
-//! *Source*: L. Guibas, J. Stolfi, *Primitives for the manipulation of general subdivisions and the computation of
-//! Voronoi diagrams*, 1985; A. Belyaev, *Applied Computational Topology, Lecture 2*.
+#![doc = include_str!("quad_edge.md")]
 
 mod algebra;
 
 use std::iter;
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, Lesson,
-    ManifoldConnectivity, VertexId,
+    Array, Capabilities, Cell, Column, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceTable,
+    Id, Lesson, ManifoldConnectivity, Per, Pointer, Target, VertexId,
 };
 
 use algebra::{Dart, Subdivision};
@@ -126,13 +95,7 @@ impl QuadEdge {
 }
 
 impl Lesson for QuadEdge {
-    const TEXT: &'static str = "Each edge knows the next edge about both of its ends and both of its faces, \
-        on either side of the surface: vertices and faces play the same part, and nothing has to be oriented. It \
-        holds any manifold mesh, orientable or not, with faces directed as they please and non-simple ones among \
-        them; boundary loops are marked hole faces. It takes 92 bytes a triangle; every query takes constant \
-        time for each answer, and the corners of a vertex come in rotational order. Source: L. Guibas and J. \
-        Stolfi, Primitives for the manipulation of general subdivisions and the computation of Voronoi diagrams, \
-        1985.";
+    const TEXT: &'static str = include_str!("quad_edge.md");
 }
 
 impl Connectivity for QuadEdge {
@@ -228,15 +191,84 @@ impl Connectivity for QuadEdge {
         (other != NO_CORNER).then_some(other)
     }
 
+    /// The next dart along the hole, or the previous one.
+    fn next_boundary_edge(&self, edge: EdgeId, at: VertexId) -> Option<EdgeId> {
+        let (labels, outside) = (self.edges.label(edge), Dart::along(edge).sym());
+        let along = match at {
+            _ if labels.sides[1] != NO_CORNER => return None,
+            at if at == labels.ends[0] => self.edges.lnext(outside),
+            at if at == labels.ends[1] => self.edges.lprev(outside),
+            _ => return None,
+        };
+        Some(along.edge)
+    }
+
     fn heap_bytes(&self) -> usize {
         self.edges.heap_bytes()
             + self.corner_edge.heap_bytes()
             + self.vertex_dart.heap_bytes()
             + self.face_corner.heap_bytes()
     }
+
+    fn arrays(&self) -> Vec<Array> {
+        let field = |name, each| Array::new(name, Per::Edge, each, self.edges.capacity());
+        let pair = size_of::<[u32; 2]>();
+        let mut arrays = self.edges.arrays().to_vec();
+        arrays.extend(["ends", "faces", "sides"].map(|name| field(name, pair)));
+        arrays.push(field("second side", size_of::<Labels>() - 3 * pair));
+        arrays.push(Array::of_column("corner edge", Per::Corner, &self.corner_edge));
+        arrays.push(Array::of_column("vertex dart", Per::Vertex, &self.vertex_dart));
+        arrays.push(Array::of_column("face corner", Per::Face, &self.face_corner));
+        arrays
+    }
+
+    fn pointers(&self, of: Cell) -> Vec<Pointer> {
+        let nothing = |field| Pointer { field, to: Target::Nothing };
+        match of {
+            Cell::Edge(edge) => self.fields_of(edge),
+            Cell::Corner(corner) => vec![Pointer::new("edge", self.corner_edge[corner])],
+            Cell::Vertex(vertex) => vec![match self.vertex_dart[vertex] {
+                Dart::NONE => nothing("dart"),
+                dart => Pointer::new("dart", dart.edge),
+            }],
+            Cell::Face(face) => vec![match self.face_corner[face] {
+                NO_CORNER => nothing("corner"),
+                corner => Pointer::new("corner", corner),
+            }],
+        }
+    }
 }
 
 impl ManifoldConnectivity for QuadEdge {}
+
+impl QuadEdge {
+    /// What the record of an edge refers to.
+    fn fields_of(&self, edge: EdgeId) -> Vec<Pointer> {
+        let along = Dart::along(edge);
+        let Labels { ends, faces, sides, .. } = *self.edges.label(edge);
+        let next = |field, dart| Pointer::new(field, self.edges.onext(dart).edge);
+        let face = |field, face: FaceId| match face.index() < self.face_corner.len() {
+            true => Pointer::new(field, face),
+            false => Pointer { field, to: Target::Hole },
+        };
+        let side = |field, side| match side {
+            NO_CORNER => Pointer { field, to: Target::Nothing },
+            side => Pointer::new(field, side),
+        };
+        vec![
+            next("Onext about Org", along),
+            next("Onext about Right", along.rot()),
+            next("Onext about Dest", along.sym()),
+            next("Onext about Left", along.rot_inverse()),
+            Pointer::new("Org", ends[0]),
+            Pointer::new("Dest", ends[1]),
+            face("Left", faces[0]),
+            face("Right", faces[1]),
+            side("left side", sides[0]),
+            side("right side", sides[1]),
+        ]
+    }
+}
 
 impl Labels {
     /// One of the two sides as a dart with its face on the left, directed as the face runs.

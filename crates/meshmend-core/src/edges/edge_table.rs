@@ -10,7 +10,7 @@
 //!
 //! Building it is what costs, not asking it.
 
-use crate::{Column, CornerId, EdgeId, Id, VertexId};
+use crate::{Array, Column, CornerId, EdgeId, Id, Per, VertexId};
 
 /// The edges of a table whose every side joins two different vertices.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -78,6 +78,16 @@ impl EdgeTable {
     pub fn edge_sides(&self, edge: EdgeId) -> &[EdgeSide] {
         let e = edge.index();
         &self.edge_sides[self.starts[e] as usize..self.starts[e + 1] as usize]
+    }
+
+    /// The arrays that it consists of.
+    pub(crate) fn arrays(&self) -> [Array; 4] {
+        [
+            Array::of_column("edge ends", Per::Edge, &self.ends),
+            Array::of_column("corner edge", Per::Corner, &self.corner_edge),
+            Array::new("edge starts", Per::Edge, size_of::<u32>(), self.starts.capacity()),
+            Array::new("edge sides", Per::Corner, size_of::<EdgeSide>(), self.edge_sides.capacity()),
+        ]
     }
 
     /// Bytes on the heap.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::grouping::{Groups, Records, Strategy};
-use crate::{CornerId, FaceTable, Id, VertexId};
+use crate::{Array, CornerId, FaceTable, Id, Per, VertexId};
 
 /// The corners of each vertex, ascending.
 #[derive(Debug)]
@@ -27,8 +27,16 @@ impl VertexCorners {
         &self.0.items[self.0.starts[v] as usize..self.0.starts[v + 1] as usize]
     }
 
+    /// The arrays that they consist of.
+    pub(crate) fn arrays(&self) -> [Array; 2] {
+        [
+            Array::new("vertex starts", Per::Vertex, size_of::<u32>(), self.0.starts.capacity()),
+            Array::new("vertex corners", Per::Corner, size_of::<CornerId>(), self.0.items.capacity()),
+        ]
+    }
+
     pub(crate) fn heap_bytes(&self) -> usize {
-        self.0.starts.capacity() * size_of::<u32>() + self.0.items.capacity() * size_of::<CornerId>()
+        self.arrays().iter().map(Array::bytes).sum()
     }
 }
 

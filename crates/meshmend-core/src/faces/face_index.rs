@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::{Column, CornerId, FaceId, FaceTable, Id};
+use crate::{Array, Column, CornerId, FaceId, FaceTable, Id, Per};
 
 /// A face table with the face of each corner at once.
 ///
@@ -57,6 +57,12 @@ impl FaceIndex {
             None => CornerId(if corner.0.is_multiple_of(3) { corner.0 + 2 } else { corner.0 - 1 }),
             Some(owners) => self.faces.corner_before(owners[corner], corner),
         }
+    }
+
+    /// The array beside the table, if there is one.
+    pub fn array(&self) -> Option<Array> {
+        let owners = self.corner_face.as_ref()?;
+        Some(Array::of_column("corner face", Per::Corner, owners))
     }
 
     /// Bytes on the heap beside the table.

@@ -1,30 +1,11 @@
-//! The edge-use table: each edge lists the sides that run along it. The fast default.
-//!
-//! ```text
-//!            v1                 edge v0-v1 : c0 c4 c9      any number of sides
-//!          ↗ ↑ ↖                edge v0-v2 : c2
-//!        c0  c4  c9             ...
-//!            v0                 vertex v0  : c0 c4 c9      corners that stand there
-//! ```
-//!
-//! *Layout*: the canonical edge table (ends, corner → edge, edge → corners: 42 bytes a triangle), which the complex
-//! shares as well as the corners of each vertex (14 bytes a triangle). Faces of other sizes add 4 bytes a corner for
-//! corner → face.
-//!
-//! *Admits* anything: a use is a record of its own, so an edge with three sides is not a special case.
-//!
-//! *Cost*: every query is constant time for each answer.
-//!
-//! *Choose it* unless another structure is the point. It does not order the sides of an edge by angle: that is
-//! geometry, and this is an index.
-//!
-//! *Source*: the uses of K. Weiler, *The radial edge structure*, 1988.
+#![doc = include_str!("edge_use.md")]
 
 use std::sync::Arc;
 
 use crate::edges::vertex_corners::VertexCorners;
 use crate::{
-    Capabilities, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceIndex, Lesson, VertexId,
+    Array, Capabilities, Cell, Complex, Connectivity, CornerId, EdgeId, EdgeTable, FaceId, FaceIndex, Lesson,
+    Pointer, VertexId,
 };
 
 /// The edge-use table of a complex.
@@ -36,11 +17,7 @@ pub struct EdgeUse {
 }
 
 impl Lesson for EdgeUse {
-    const TEXT: &'static str = "Each edge lists the face sides that run along it, and each vertex the \
-        corners that stand at it. It holds any complex: a side is a record of its own, so an edge with three \
-        sides is no special case. Every query takes constant time for each answer; 42 bytes a triangle are \
-        shared with the mesh and 14 are its own. The default. Source: the edge uses of K. Weiler, The radial \
-        edge structure, 1988, without the order by angle, which is geometry.";
+    const TEXT: &'static str = include_str!("edge_use.md");
 }
 
 impl Connectivity for EdgeUse {
@@ -110,5 +87,33 @@ impl Connectivity for EdgeUse {
 
     fn heap_bytes(&self) -> usize {
         self.edges.heap_bytes() + self.faces.heap_bytes() + self.vertex_corners.heap_bytes()
+    }
+
+    fn arrays(&self) -> Vec<Array> {
+        let table = self.edges.arrays().map(Array::shared);
+        let corners = self.vertex_corners.arrays().map(Array::shared);
+        table.into_iter().chain(corners).chain(self.faces.array()).collect()
+    }
+
+    fn pointers(&self, of: Cell) -> Vec<Pointer> {
+        match of {
+            Cell::Vertex(vertex) => {
+                self.vertex_corners(vertex).map(|corner| Pointer::new("corner", corner)).collect()
+            }
+            Cell::Edge(edge) => {
+                let ends = self.edge_ends(edge).map(|end| Pointer::new("end", end));
+                let sides = self.edge_corners(edge).map(|side| Pointer::new("side", side));
+                ends.into_iter().chain(sides).collect()
+            }
+            Cell::Face(face) => {
+                self.face_corners(face).map(|corner| Pointer::new("corner", corner)).collect()
+            }
+            Cell::Corner(corner) => {
+                vec![
+                    Pointer::new("vertex", self.corner_vertex(corner)),
+                    Pointer::new("edge", self.corner_edge(corner)),
+                ]
+            }
+        }
     }
 }

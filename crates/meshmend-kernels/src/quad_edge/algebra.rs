@@ -18,7 +18,7 @@
 //! *Source*: L. Guibas, J. Stolfi, *Primitives for the manipulation of general subdivisions and the computation of
 //! Voronoi diagrams*, 1985, §2 and §4.
 
-use meshmend_core::{Column, EdgeId, Id};
+use meshmend_core::{Array, Column, EdgeId, Id, Per};
 
 /// An edge as seen along one of four directions and from one of two sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -168,6 +168,17 @@ impl<T> Subdivision<T> {
     /// How many edges there are.
     pub(super) fn len(&self) -> usize {
         self.quads.len()
+    }
+
+    /// The fields of a record that the algebra keeps.
+    pub(super) fn arrays(&self) -> [Array; 2] {
+        let field = |name, each| Array::new(name, Per::Edge, each, self.capacity());
+        [field("Onext", size_of::<[EdgeId; 4]>()), field("turn", size_of::<[Turn; 4]>())]
+    }
+
+    /// How many edges there is room for.
+    pub(super) fn capacity(&self) -> usize {
+        self.quads.capacity()
     }
 
     /// Bytes on the heap.
