@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use meshmend_cli::{Program, Status};
+use meshmend_kernels::KernelKind;
 use meshmend_tests::in_process;
 use meshmend_tests::scratch::Scratch;
 use serde_json::Value;
@@ -55,8 +56,7 @@ impl Asked {
     /// The same on other kernels, and with other numbers of threads.
     pub(crate) fn everywhere(&self, stored: &Path, target: &Path, expected: &[u8]) -> Outcome {
         let threads = ["1", "2", "8"].map(|count| ["--threads", count]);
-        let kernels =
-            ["face-vertex", "adjacency-lists", "half-edge", "quad-edge"].map(|name| ["--kernel", name]);
+        let kernels: Vec<_> = KernelKind::ALL.iter().skip(1).map(|kind| ["--kernel", kind.name()]).collect();
         for choice in threads.iter().chain(&kernels) {
             match self.repair(stored, target, choice) {
                 Ok((bytes, _)) if bytes != expected => {

@@ -5,6 +5,7 @@ mod common;
 use std::process::Stdio;
 
 use common::{Folder, example, group, meshmend, program};
+use meshmend::KernelKind;
 use serde_json::{Value, json};
 
 #[test]
@@ -72,7 +73,7 @@ fn the_faces_are_those_of_the_view_and_the_same_on_every_kernel() {
     };
     assert_eq!(faces(&[]), [0, 0, 0, 1, 1, 1].map(|face| json!([face])));
     assert_eq!(faces(&["--weld", "exact"]), [0, 0, 1, 1].map(|face| json!([face])));
-    for kernel in ["half-edge", "face-vertex", "adjacency-lists", "quad-edge"] {
+    for kernel in KernelKind::ALL.iter().map(|kind| kind.name()) {
         let run = meshmend(&["check", "--json", &file, "--kernel", kernel]);
         assert_eq!(run.stdout, meshmend(&["check", "--json", &file]).stdout, "{kernel}");
     }

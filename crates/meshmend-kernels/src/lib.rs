@@ -28,8 +28,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! To add a kernel: one file with the type, its [`Connectivity`](meshmend_core::Connectivity) and its
-//! explanation; its `mod` line below; and its entry in the registry. The laws that every kernel obeys then run
+//! To add a kernel: one file with the type and its [`Connectivity`](meshmend_core::Connectivity); beside it its
+//! text, which is the page of the module and what `explain` prints ([`Lesson`](meshmend_core::Lesson)); its
+//! `mod` line below; and its entry in the registry. The laws that every kernel obeys then run
 //! for it without another edit.
 
 mod adjacency_lists;

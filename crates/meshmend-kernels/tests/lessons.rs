@@ -23,6 +23,20 @@ impl KernelTask for Bytes {
     }
 }
 
+/// Why a text says that a kind of defect is refused.
+fn whys(text: &str) -> Vec<&str> {
+    let items = text.lines().filter_map(|line| line.strip_prefix("* `"));
+    items.filter_map(|item| Some(item.split_once("`: ")?.0)).collect()
+}
+
+#[test]
+fn a_text_says_of_each_kind_that_is_refused_why() {
+    for kind in KernelKind::ALL {
+        let refused: Vec<&str> = kind.capabilities().refused_kinds().map(|refused| refused.code()).collect();
+        assert_eq!(whys(kind.lesson()), refused, "{kind}");
+    }
+}
+
 /// The paragraph of a text that begins with a word.
 fn paragraph<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     text.split("\n\n").find(|paragraph| paragraph.starts_with(word))
@@ -46,6 +60,16 @@ fn the_bytes_of_a_text_are_those_of_the_arrays() {
         assert_eq!((total.parse(), parts), (Ok(parts), parts), "{kind}");
         // The starts of a list are one more than the lists, and this torus has 6000 faces.
         assert!((by_kernel - parts).abs() < 0.01, "{kind}: {by_kernel} and {parts}");
+    }
+}
+
+#[test]
+fn the_table_of_the_crate_has_the_bytes_of_the_texts() {
+    let table = include_str!("../README.md");
+    for kind in KernelKind::ALL {
+        let row = table.lines().find(|line| line.starts_with(&format!("| {kind} "))).unwrap();
+        let bytes = row.trim_end_matches(" |").rsplit(' ').next().unwrap();
+        assert!(kind.lesson().contains(&format!(" {bytes} bytes a triangle in all")), "{kind}: {bytes}");
     }
 }
 
