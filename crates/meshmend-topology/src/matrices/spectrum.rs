@@ -125,10 +125,9 @@ fn spectrum_within(
         return Ok(Vec::new());
     }
     let ids = || (0..vertices).map(VertexId::new);
-    let highest = ids().map(|v| graph.neighbours(v).count()).max().unwrap_or(0).max(1) as f64;
-    let (bound, sign) = match operator {
-        Operator::Adjacency => (highest, 1.0),
-        Operator::Laplacian => (2.0 * highest, -1.0),
+    let sign = match operator {
+        Operator::Adjacency => 1.0,
+        Operator::Laplacian => -1.0,
     };
     // The smallest eigenvalues of L are the largest ones of −L.
     let apply = |x: &[f64], product: &mut [f64]| {
@@ -141,9 +140,25 @@ fn spectrum_within(
             *product = graph.neighbours(vertex).map(difference).sum();
         }
     };
-    let matrix = Symmetric { apply: &apply, size: vertices, bound };
+    let matrix = Symmetric { apply: &apply, size: vertices, bound: bound(graph, operator) };
     let pairs = largest(&matrix, count, work).map_err(|TooSlow| SpectrumError::TooSlow { vertices })?;
     Ok(pairs.into_iter().map(|pair| judged(pair, &matrix, sign)).collect())
+}
+
+/// What no eigenvalue exceeds: of A the largest √(d d′), of L the largest d + d′, of the degrees at both ends of an edge.
+fn bound(graph: &impl Adjacency, operator: Operator) -> f64 {
+    let ids = (0..graph.graph_counts()[0]).map(VertexId::new);
+    let degrees: Vec<f64> = ids.clone().map(|vertex| graph.neighbours(vertex).count() as f64).collect();
+    let at_edge = |vertex: VertexId, other: VertexId| {
+        let (one, other) = (degrees[vertex.index()], degrees[other.index()]);
+        match operator {
+            Operator::Adjacency => (one * other).sqrt(),
+            Operator::Laplacian => one + other,
+        }
+    };
+    let at_vertex =
+        |vertex| graph.neighbours(vertex).map(move |other| at_edge(vertex, other)).fold(1.0, f64::max);
+    ids.map(at_vertex).fold(1.0, f64::max)
 }
 
 /// The value that fits a vector best, and how well.
