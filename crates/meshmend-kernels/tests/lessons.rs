@@ -49,6 +49,7 @@ fn in_parentheses(text: &str) -> Vec<f64> {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "ten kernels of thousands of faces take an interpreter too long")]
 fn the_bytes_of_a_text_are_those_of_the_arrays() {
     let complex = shapes::torus(60, 50, Tiles::Triangles).soup.complex();
     for kind in KernelKind::ALL {
@@ -74,6 +75,7 @@ fn the_table_of_the_crate_has_the_bytes_of_the_texts() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "shapes of thousands of faces take an interpreter too long")]
 fn arrays_come_to_the_heap_on_meshes_of_all_kinds() {
     for shape in shapes::catalogue() {
         let (complex, faces) = (shape.soup.complex(), shape.soup.faces.len());

@@ -1,6 +1,6 @@
 //! One kernel: its lesson, and how it takes a mesh.
 
-use meshmend::mesh::{Array, counted};
+use meshmend::mesh::{Array, Per, counted};
 use meshmend::{AnyKernel, DefectKind, Refusal};
 
 use super::lesson::{WIDTH, wrapped};
@@ -72,7 +72,8 @@ fn reasons(refusal: &Refusal) -> String {
 /// `next 4 a corner`.
 fn array_words(array: &Array) -> String {
     let shared = if array.shared { " (shared)" } else { "" };
-    format!("{} {} a {}{shared}", array.name, array.each, array.per.name())
+    let article = if array.per == Per::Edge { "an" } else { "a" };
+    format!("{} {} {article} {}{shared}", array.name, array.each, array.per.name())
 }
 
 /// A fact with its name, on as many lines as it takes.
