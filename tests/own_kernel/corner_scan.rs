@@ -1,7 +1,7 @@
 //! Nothing but corners: who meets at an edge or a vertex is found by looking at all of them.
 
 use meshmend_core::{
-    Capabilities, Column, Complex, Connectivity, CornerId, EdgeId, FaceId, FaceIndex, VertexId,
+    Capabilities, Column, Complex, Connectivity, CornerId, Cost, Costs, EdgeId, FaceId, FaceIndex, VertexId,
 };
 
 /// The corners of a complex.
@@ -15,6 +15,12 @@ pub(crate) struct Kernel {
 impl Connectivity for Kernel {
     const NAME: &'static str = "corner-scan";
     const CAPABILITIES: Capabilities = Capabilities::PERMISSIVE;
+    const COSTS: Costs = Costs {
+        edge_star: Cost::Linear,
+        vertex_star: Cost::Linear,
+        across: Cost::Linear,
+        ..Costs::CONSTANT
+    };
 
     fn assemble(complex: &Complex) -> Self {
         let (faces, edges) = (complex.shared_faces(), complex.edges());

@@ -64,6 +64,7 @@ macro_rules! __kernel_tests {
         }
 
         $(#[test]
+        #[cfg_attr(miri, ignore = "an interpreter takes hours over every small mesh, and begins no process")]
         fn $test() {
             subject().assert_kept($law);
         })*
@@ -88,6 +89,7 @@ macro_rules! kernel_size {
         static ALLOCATOR: $crate::Cap<::std::alloc::System> = $crate::Cap::new(::std::alloc::System, usize::MAX);
 
         $(#[test]
+        #[cfg_attr(miri, ignore = "what an interpreter allocates is not what the system does")]
         fn $test() {
             $crate::Subject::measured::<$kernel>(|| ALLOCATOR.allocated())
                 .in_test(::std::concat!(::std::module_path!(), "::", ::std::stringify!($test)))

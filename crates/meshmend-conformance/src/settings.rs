@@ -31,11 +31,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings {
-            effort: if cfg!(miri) { Effort::Quick } else { Effort::Usual },
-            patience: Duration::from_secs(10),
-            in_process: cfg!(miri),
-        }
+        Settings { effort: Effort::Usual, patience: Duration::from_secs(10), in_process: false }
     }
 }
 
@@ -55,7 +51,7 @@ impl Settings {
             settings.patience = patience_of(&seconds)?;
         }
         if let Some(answer) = value("MESHMEND_IN_PROCESS") {
-            settings.in_process = settings.in_process || answer != "0";
+            settings.in_process = answer != "0";
         }
         Ok(settings)
     }
