@@ -10,6 +10,7 @@
 
 mod arguments;
 mod compare;
+mod edits;
 pub mod input;
 mod kernels;
 mod matrices;
@@ -19,6 +20,7 @@ mod room;
 mod round_trip;
 
 pub use arguments::arguments;
+pub use edits::edit;
 pub use kernels::{analysis, kernels};
 pub use matrices::matrices;
 pub use readers::{formats, obj, off, ply, sniff, stl};
@@ -41,4 +43,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off formats sniff round_trip kernels analysis matrices repair passes plan arguments);
+targets!(obj ply stl off formats sniff round_trip kernels analysis matrices repair passes plan arguments edit);

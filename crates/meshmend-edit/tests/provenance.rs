@@ -2,11 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops where it fails")]
 
-use meshmend_conformance::editing::{Draw, Editing};
 use meshmend_core::{Blend, CornerId, FaceId, FaceTableBuilder, Id, PolygonMesh, Provenance, VertexId};
 use meshmend_edit::{EdgeKey, Editor, HalfKey, Opening};
 use meshmend_testkit::Soup;
-use meshmend_testkit::edits::Indexed;
+use meshmend_testkit::edits::{Draw, Editing, Indexed};
 use meshmend_testkit::laws::Change;
 use meshmend_testkit::shapes::catalogue;
 use meshmend_testkit::worlds::damaged_grid;

@@ -1,6 +1,7 @@
 //! The editor by vertex numbers.
 
-use meshmend_conformance::editing::{Edited, Editing, Opening, Operator, Side};
+pub use meshmend_conformance::editing::{Draw, Editing, edit_laws};
+use meshmend_conformance::editing::{Edited, Opening, Operator, Side};
 use meshmend_core::{Id, PolygonMesh, VertexId};
 use meshmend_edit::{Done, Edit, Editor, HalfKey, Refused, VertexKey};
 
