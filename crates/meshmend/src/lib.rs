@@ -89,6 +89,22 @@
 //! **I write a kernel of my own.** Whatever implements [`Connectivity`](mesh::Connectivity) takes every question of
 //! [`topology`]; CONTRIBUTING shows a whole one.
 //!
+//! **I want to edit a mesh.** An [`Editor`](edit::Editor) flips, splits, collapses, pokes, cuts and zips; each call is refused with
+//! every reason or can be undone, and attributes go along. `crates/meshmend-edit/examples` subdivide meshes with it.
+//!
+//! ```
+//! use meshmend::PolygonMesh;
+//! use meshmend::edit::Editor;
+//!
+//! let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+//! let mut editor = Editor::new(&PolygonMesh::from_triangles(&square, &[[0, 1, 2], [0, 2, 3]])?)?;
+//! let edges: Vec<_> = editor.edges().collect();
+//! let done: Vec<_> = edges.into_iter().filter_map(|edge| editor.flip(edge).ok()).collect();
+//! assert_eq!(done.len(), 1, "the edges of the boundary refuse");
+//! editor.apply(&done[0].undo)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! **I write a pass, or a kind of defect, of my own.** Both are one file and one row, see CONTRIBUTING; [`Pipeline::then`] takes
 //! the pass, and [`CheckOptions::rules`] the kind of defect.
 //!
@@ -185,7 +201,7 @@
 //! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints.
 //!
 //! The parts are whole crates of their own, here under [`mesh`], [`kernels`], [`topology`], [`geometry`], [`passes`],
-//! [`cutting`], [`formats`] and [`shapes`]; [`matrices`] is a part of [`topology`]. What the main jobs need is also here at
+//! [`cutting`], [`edit`], [`formats`] and [`shapes`]; [`matrices`] is a part of [`topology`]. What the main jobs need is also here at
 //! the top. With the feature `flatten` there is `unfold`, which lays a mesh out in the plane.
 
 mod check;
@@ -201,6 +217,7 @@ pub mod words;
 
 pub use meshmend_core as mesh;
 pub use meshmend_cut as cutting;
+pub use meshmend_edit as edit;
 #[cfg(feature = "flatten")]
 pub use meshmend_flatten as flatten;
 pub use meshmend_geometry as geometry;
