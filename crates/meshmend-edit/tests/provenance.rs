@@ -43,7 +43,7 @@ proptest! {
 
     #[test]
     fn the_record_is_true_and_attributes_follow(
-        before in surface(),
+        before in prop_oneof![surface(), dressed()],
         draws in draws(),
     ) {
         let (after, record) = edited(&before, &draws);
@@ -60,7 +60,7 @@ proptest! {
     }
 
     #[test]
-    fn nothing_done_is_the_very_mesh(before in surface()) {
+    fn nothing_done_is_the_very_mesh(before in dressed()) {
         let (after, record) = Editor::new(&before).unwrap().finish().unwrap();
         let change = Change { before: &before, after: &after, record: &record };
         prop_assert!(change.is_none());
@@ -79,6 +79,26 @@ proptest! {
         let change = Change { before: &before, after: &after, record: &record };
         prop_assert!(change.is_none());
     }
+}
+
+/// A surface some of whose faces repeat a corner, with degenerate faces and loose elements beside it.
+fn dressed() -> impl Strategy<Value = PolygonMesh> {
+    (surface(), vec(any::<prop::sample::Index>(), 0..8)).prop_map(|(mesh, places)| {
+        let Soup { positions, mut faces } = Soup::of_mesh(&mesh);
+        let vertices = positions.len();
+        for (kind, place) in places.iter().enumerate() {
+            let (face, vertex) = (place.index(faces.len()), place.index(vertices) as u32);
+            match (kind % 4, faces[face].first().copied()) {
+                (0, Some(first)) => faces[face].insert(0, first),
+                (1, Some(first)) => faces[face].push(first),
+                (2, _) => faces.insert(face, vec![vertex, 0, vertex]),
+                _ => faces.push(Vec::new()),
+            }
+        }
+        let ends = places.iter().map(|place| VertexId::new(place.index(vertices)));
+        let (edges, points) = (ends.clone().map(|end| [end, VertexId(0)]).collect(), ends.collect());
+        Soup { positions, faces }.numbered().with_loose(edges, points).unwrap()
+    })
 }
 
 /// Two triangles that make a square with the diagonal from v0 to v2, and numbers on all elements.

@@ -77,8 +77,11 @@ impl Editor {
             let all = self.star(kept).chain(others).map(|half| renamed(self.target_of(half)));
             let mut ends: Vec<VertexKey> = all.chain([vertex]).collect();
             ends.sort_unstable();
-            joined.extend(ends.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| [vertex, pair[0]]));
+            let twice = ends.windows(2).filter(|pair| pair[0] == pair[1]);
+            joined.extend(twice.map(|pair| [vertex.min(pair[0]), vertex.max(pair[0])]));
         }
+        joined.sort_unstable();
+        joined.dedup();
         joined
     }
 
