@@ -1,6 +1,7 @@
 //! The schemes of subdivision that are examples of the operators are what they are by tables.
 
 #![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
+#![allow(clippy::duplicate_mod, reason = "each example has what is common to them by itself")]
 
 #[path = "../examples/catmull_clark.rs"]
 #[allow(dead_code, reason = "an example has a main function of its own")]
