@@ -31,6 +31,7 @@ fn good(argument: &Arg) -> (String, bool) {
         (_, "DEGREES") => ("-30", false),
         (_, "WxH") => ("320x240", false),
         (_, "X,Y,Z") => ("1,-2,3", false),
+        (_, "CELL") => ("v0", false),
         (_, "SHAPE") => ("torus", false),
         (_, "DISTANCE") => ("1%", false),
         // Which kinds there are hangs on the rules of the program, which judges the word itself.
@@ -68,6 +69,8 @@ fn least(command: &Command, but: &Arg) -> Vec<String> {
     match (command.get_name(), but.get_id().as_str()) {
         ("matrix", "walks") => words.extend(["--from", "v0"].map(str::to_owned)),
         ("matrix", "from") => words.extend(["--walks", "3"].map(str::to_owned)),
+        ("pointers", "at" | "all" | "permutations") => {}
+        ("pointers", _) => words.extend(["--at", "v0"].map(str::to_owned)),
         _ => {}
     }
     words

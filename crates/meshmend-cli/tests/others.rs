@@ -78,6 +78,59 @@ fn kernels_are_timed_on_a_file() {
 }
 
 #[test]
+fn records_are_shown_and_drawn() {
+    let folder = Folder::new();
+    let (cube, picture) = (folder.at("cube.obj"), folder.at("c0.svg"));
+    meshmend(&["make", "cube", "-o", &cube]).succeeds();
+    let shown =
+        meshmend(&["pointers", &cube, "--kernel", "half-edge", "--at", "c0", "-o", &picture]).succeeds();
+    for field in ["next", "prev", "twin", "origin", "face", "edge"] {
+        assert!(shown.stdout.contains(&format!("  {field}")), "{}", shown.stdout);
+        assert!(fs::read_to_string(&picture).unwrap().contains(&format!(">{field}</text>")), "{field}");
+    }
+    let all = meshmend(&["pointers", &cube, "--all"]).succeeds().stdout;
+    assert!(all.contains("v7 in edge-use") && all.contains("e11 in edge-use"), "{all}");
+    let permutations = meshmend(&["pointers", &cube, "--permutations"]).succeeds().stdout;
+    for line in
+        ["24 half-edges", "σ, round each vertex: 8 cycles", "α, along each edge: 12 cycles", "6 cycles"]
+    {
+        assert!(permutations.contains(line), "{permutations}");
+    }
+    meshmend(&["pointers", &cube, "--at", "e12"]).fails(2, "has no e12: it has 8 vertices, 12 edges");
+    meshmend(&["pointers", &cube, "--at", "x12"]).fails(2, "v, e, f or c and a number");
+    meshmend(&["pointers", &cube]).fails(2, "--at");
+    meshmend(&["pointers", &cube, "--kernel", "no-such", "--at", "v0"]).fails(2, "the kernels are edge-use");
+    let pinched = example("pinched.ply");
+    meshmend(&["pointers", &pinched, "--kernel", "half-edge", "--at", "v0"]).fails(5, "v0 joins 2 umbrellas");
+    meshmend(&["pointers", &pinched, "--permutations"]).fails(5, "v0 joins 2 umbrellas");
+    meshmend(&["pointers", &cube, "--at", "v0", "-o", &cube]).fails(2, "cube.obj");
+}
+
+#[test]
+fn a_kernel_is_explained_on_a_file() {
+    let pinched = example("pinched.ply");
+    let refuses = meshmend(&["explain", "half-edge", &pinched]).succeeds().stdout;
+    assert!(
+        refuses.contains("refuses: v0 joins 2 umbrellas") && refuses.contains("who holds it"),
+        "{refuses}"
+    );
+    let holds = meshmend(&["explain", "edge-use", &pinched]).succeeds().stdout;
+    assert!(holds.contains("holds it: 8 faces, "), "{holds}");
+    let why = meshmend(&["explain", "half-edge", &pinched]).succeeds().stdout;
+    assert!(why.contains("a vertex has one half-edge") && why.contains("simple-record"), "{why}");
+    let defect = meshmend(&["explain", "pinched-vertex", &pinched]).succeeds().stdout;
+    assert!(defect.contains("pinched.ply: 1\n  v0 joins 2 umbrellas"), "{defect}");
+    let genus = meshmend(&["explain", "genus", &example("soup.stl")]).succeeds().stdout;
+    assert!(genus.contains("soup.stl\n  genus           0"), "{genus}");
+    let law = meshmend(&["explain", "law:next-and-prev"]).succeeds().stdout;
+    assert!(law.contains("next goes round the face") && law.contains("cargo test next_and_prev"), "{law}");
+    for pageless in ["weld", "law:size", "adjacency-matrix"] {
+        meshmend(&["explain", pageless, &pinched]).fails(2, "is explained without a file");
+    }
+    meshmend(&["explain", "law:no-such"]).fails(2, "there is no kind of defect");
+}
+
+#[test]
 fn every_word_of_the_glossary_is_explained() {
     let glossary = meshmend(&["explain"]).succeeds().stdout;
     let words: Vec<&str> = glossary

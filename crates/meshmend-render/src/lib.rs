@@ -1,4 +1,4 @@
-//! Pictures of polygon meshes: what they look like, what is wrong with them, and the loops on them.
+//! Pictures of polygon meshes: what they look like, what is wrong with them, the loops on them, and the records that store them.
 //!
 //! A [`Scene`] is a mesh with [overlays](Overlay), seen by a [`Camera`]. [`render`] draws it, [`contact_sheet`] draws
 //! several in a grid, and the [`Picture`] is written as PNG or SVG.
@@ -17,6 +17,7 @@ mod look;
 mod output;
 mod panels;
 mod pictures;
+mod pointers;
 mod scenes;
 mod vector;
 
@@ -24,6 +25,7 @@ pub use pictures::contact_sheet::{Fit, contact_sheet, render};
 pub use pictures::error::RenderError;
 pub use pictures::picture::Picture;
 pub use pictures::size::Size;
+pub use pointers::{MOST_ARROWS, PointerPictureError, pointer_picture};
 pub use scenes::camera::{Camera, NoDirection, Projection};
 pub use scenes::diagnostic_overlays::{boundary, components, inconsistent, non_manifold, witness};
 pub use scenes::loop_overlays::{LoopOverlays, MOST_GENERATORS, loops, seam};

@@ -56,6 +56,6 @@ pub use report::{
     topology_with,
 };
 pub use surfaces::{
-    BoundaryLoops, ComponentFacts, ComponentKind, Components, GluingWord, Letter, Surface, boundary_loops,
-    component_facts, component_kinds, components, surface_name,
+    BoundaryLoops, ComponentFacts, ComponentKind, Components, GluingWord, Letter, Permutations, Surface,
+    boundary_loops, component_facts, component_kinds, components, permutations, surface_name,
 };

@@ -243,7 +243,9 @@ pub use meshmend_io::{
 pub use meshmend_kernels::{KernelKind, KernelTask};
 pub use meshmend_repair::{AnyPass, Distance, Pass, PassError, PassKind, Pipeline, Plan, Repaired, Session};
 pub use meshmend_topology::TopologyReport;
-pub use structures::{AnyKernel, KernelCost, KernelNameError, KernelQuestion, Kernels, LINEAR_LIMIT, Rung};
+pub use structures::{
+    AnyKernel, AnyView, KernelCost, KernelNameError, KernelQuestion, Kernels, LINEAR_LIMIT, Rung,
+};
 #[cfg(feature = "flatten")]
 pub use unfold::{UnfoldError, UnfoldOptions, Unfolded, unfold};
 pub use view::View;

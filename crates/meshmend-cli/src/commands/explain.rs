@@ -1,10 +1,12 @@
-//! `meshmend explain`: the words of reports, in sentences; and the structures, also on a mesh.
+//! `meshmend explain`: the words of reports, in sentences; and what of it there is in a mesh.
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshmend::words::Word;
-use meshmend::{AnyKernel, Format, Kernels, View};
+use meshmend::{
+    AnyKernel, AnyView, CheckOptions, CheckReport, DefectKind, Format, Kernels, PolygonMesh, View, check,
+};
 
 use crate::Program;
 use crate::console::Console;
@@ -14,13 +16,14 @@ use crate::render::{self, KernelOn, Style};
 use crate::streams::{InputWords, name};
 use crate::words::{self, Welding};
 
-/// Explain a kind of defect, a pass, a kernel or a word of topology; without a name, list them all
+/// Explain a kind of defect, a pass, a kernel, a law of kernels or a word of topology; without a name, list them all
 #[derive(Debug, Args)]
 pub(crate) struct Explain {
-    /// The name, as it stands in reports
+    /// The name, as it stands in reports; a law of kernels as `law:next-and-prev`
     #[arg(value_name = "NAME")]
     name: Option<String>,
-    /// A mesh to explain a kernel on: whether the kernel holds it, and of which arrays it then consists
+    /// A mesh: whether a kernel holds it and of which arrays it then consists, or where a kind of defect or what of a word is
+    /// there
     #[arg(value_name = "FILE")]
     pub(super) file: Option<PathBuf>,
     /// The format of the input, whatever its name and content
@@ -31,63 +34,145 @@ pub(crate) struct Explain {
     weld: Option<Welding>,
 }
 
+/// What is explained.
+enum Entry {
+    Kernel(AnyKernel),
+    Defect(DefectKind),
+    Word(Word),
+    /// What no mesh has anything of: the whole page.
+    Page(String),
+}
+
+impl Entry {
+    fn named(program: &Program, name: &str, style: Style) -> Option<Self> {
+        let page = |heading: &str, text: &str| Entry::Page(render::explanation(heading, text, style));
+        let kernel = program.kernels.named(name).map(Entry::Kernel);
+        let defect = || program.rules.kind(name).map(Entry::Defect);
+        let word = || Word::from_name(name).map(Entry::Word);
+        let pass =
+            || program.passes.kind(name).map(|pass| page(&format!("{pass}: a pass"), pass.explanation()));
+        let view = || {
+            let heading = |view: &AnyView| format!("{name}: a view, {}", view.rung.name());
+            AnyView::named(name).map(|view| page(&heading(&view), view.explanation))
+        };
+        let law = || law(name, style).map(Entry::Page);
+        kernel.or_else(defect).or_else(word).or_else(pass).or_else(view).or_else(law)
+    }
+}
+
 impl Explain {
     pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let Program { rules, passes, kernels } = *program;
         let style = console.style();
-        let text = match self.name.as_deref() {
-            None => render::glossary(rules, passes, kernels, style),
-            Some(name) => match (kernels.named(name), &self.file) {
-                (Some(kernel), file) => {
-                    let on = match file {
-                        Some(file) => Some(self.on(kernel, kernels, file, console)?),
-                        None => None,
-                    };
-                    render::kernel(kernel, on.as_ref(), style)
-                }
-                (None, None) => entry(program, name, style).ok_or_else(|| Failure::usage(unknown(name)))?,
-                (None, Some(_)) if entry(program, name, style).is_some() => {
-                    return Err(Failure::usage(format!(
-                        "`{name}` is explained without a file; kernels alone take one"
-                    )));
-                }
-                (None, Some(_)) => return Err(Failure::usage(unknown(name))),
-            },
+        let Some(name) = self.name.as_deref() else {
+            let glossary = render::glossary(program.rules, program.passes, program.kernels, laws(), style);
+            console.write(&glossary)?;
+            return Ok(Status::Done);
+        };
+        let entry = Entry::named(program, name, style).ok_or_else(|| Failure::usage(unknown(name)))?;
+        let text = match &self.file {
+            None => page(&entry, style),
+            Some(file) => self.page_on(file, name, &entry, program, console)?,
         };
         console.write(&text)?;
         Ok(Status::Done)
     }
 
-    /// How a kernel takes a mesh, and which others hold it.
-    fn on(
+    /// The page of an entry, and what of it there is in a mesh.
+    fn page_on(
         &self,
-        kernel: AnyKernel,
-        kernels: Kernels,
-        path: &Path,
+        file: &Path,
+        name: &str,
+        entry: &Entry,
+        program: &Program,
         console: &mut Console<'_>,
-    ) -> Result<KernelOn, Failure> {
+    ) -> Result<String, Failure> {
+        let style = console.style();
+        if let Entry::Page(_) = entry {
+            return Err(Failure::usage(format!(
+                "`{name}` is explained without a file: no mesh has anything of it"
+            )));
+        }
+        let mesh = self.mesh(file, console)?;
+        let file = name(file);
+        let checked = |mesh: &PolygonMesh| {
+            check(mesh, &CheckOptions::default().with_rules(program.rules))
+                .map_err(|error| Failure::of_pass(&file, &error))
+        };
+        Ok(match entry {
+            Entry::Kernel(kernel) => {
+                let on = taken(*kernel, program.kernels, file, &mesh);
+                render::kernel(*kernel, Some(&on), style)
+            }
+            Entry::Defect(kind) => {
+                let report: CheckReport = checked(&mesh)?;
+                page(entry, style) + &render::defects_on(&file, *kind, &report, style)
+            }
+            Entry::Word(word) => {
+                page(entry, style) + &render::word_on(&file, word.name, &checked(&mesh)?.topology, style)
+            }
+            Entry::Page(page) => page.clone(),
+        })
+    }
+
+    fn mesh(&self, path: &Path, console: &mut Console<'_>) -> Result<PolygonMesh, Failure> {
         let file = InputWords::of(self.from).read(path, console)?;
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
-        let holds = |other: &AnyKernel| other.heap_bytes(mesh.complex()).is_ok();
-        Ok(KernelOn {
-            file: name(path),
-            faces: mesh.complex().proper_face_count(),
-            arrays: kernel.arrays(mesh.complex()),
-            holders: kernels.all().filter(holds).map(|other| other.name).collect(),
-        })
+        view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))
+    }
+}
+
+/// The page of an entry.
+fn page(entry: &Entry, style: Style) -> String {
+    match entry {
+        Entry::Kernel(kernel) => render::kernel(*kernel, None, style),
+        Entry::Defect(kind) => render::explanation(&render::defect_heading(*kind), kind.explanation(), style),
+        Entry::Word(word) => render::lesson(word.text, style),
+        Entry::Page(page) => page.clone(),
+    }
+}
+
+/// How a kernel takes a mesh, and which others hold it.
+fn taken(kernel: AnyKernel, kernels: Kernels, file: String, mesh: &PolygonMesh) -> KernelOn {
+    let holds = |other: &AnyKernel| other.heap_bytes(mesh.complex()).is_ok();
+    KernelOn {
+        file,
+        faces: mesh.complex().proper_face_count(),
+        arrays: kernel.arrays(mesh.complex()),
+        holders: kernels.all().filter(holds).map(|other| other.name).collect(),
     }
 }
 
 fn unknown(name: &str) -> String {
-    format!("there is no kind of defect, pass, kernel or word `{name}`; `meshmend explain` lists them")
+    format!("there is no kind of defect, pass, kernel, law or word `{name}`; `meshmend explain` lists them")
 }
 
-/// The page of what is not a kernel.
-fn entry(program: &Program, name: &str, style: Style) -> Option<String> {
-    let page = |heading: &str, text| render::explanation(heading, text, style);
-    let defect = program.rules.kind(name).map(|kind| page(&render::defect_heading(kind), kind.explanation()));
-    let pass = || program.passes.kind(name).map(|pass| page(&format!("{pass}: a pass"), pass.explanation()));
-    let word = || Word::from_name(name).map(|word| render::lesson(word.text, style));
-    defect.or_else(pass).or_else(word)
+/// The page of a law of kernels.
+#[cfg(feature = "laws")]
+fn law(name: &str, style: Style) -> Option<String> {
+    let law = meshmend_conformance::law(name.strip_prefix("law:")?)?;
+    let often = law.often.map(|often| format!("\n*Often*: {often}.\n")).unwrap_or_default();
+    let text = format!(
+        "# {name}\n\nA law of kernels: {}.\n\n*Why*: {}.\n{often}\n*Try*: one line of test, \
+         `meshmend_conformance::kernel!(mine: MyKernel);`, and then `cargo test {}`.\n",
+        law.sentence,
+        law.why,
+        law.id.replace('-', "_")
+    );
+    Some(render::lesson(&text, style))
+}
+
+/// The names of all laws of kernels.
+#[cfg(feature = "laws")]
+fn laws() -> Vec<String> {
+    meshmend_conformance::LAWS.iter().map(|law| format!("law:{}", law.id)).collect()
+}
+
+#[cfg(not(feature = "laws"))]
+fn laws() -> Vec<String> {
+    Vec::new()
+}
+
+#[cfg(not(feature = "laws"))]
+fn law(_: &str, _: Style) -> Option<String> {
+    None
 }

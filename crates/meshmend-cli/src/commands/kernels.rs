@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use meshmend::mesh::Complex;
 use meshmend::report::{KernelTrial, KernelsDocument};
-use meshmend::{AnyKernel, Format, Kernels, PolygonMesh, View};
+use meshmend::{AnyKernel, AnyView, Format, Kernels, PolygonMesh, View};
 
 use super::check::json_line;
 use crate::console::Console;
@@ -56,14 +56,20 @@ impl KernelsCommand {
         Ok(Status::Done)
     }
 
-    /// What each kernel costs by the clock.
+    /// What each kernel and each view costs by the clock.
     fn bench(&self, kernels: Kernels, path: &Path, mesh: &PolygonMesh) -> Result<String, Failure> {
         let (start, faces) = (Instant::now(), mesh.complex().proper_face_count());
         let trial = |kernel: AnyKernel| {
             let cost = kernel.cost(mesh, self.runs.get(), &|| start.elapsed());
             KernelTrial::new(kernel.name, faces, &cost)
         };
-        let mut document = KernelsDocument::new(faces, self.runs.get(), kernels.all().map(trial).collect());
+        let kernels = kernels.all().map(trial).collect();
+        let view = |view: AnyView| {
+            let cost = view.cost(mesh, self.runs.get(), &|| start.elapsed());
+            KernelTrial::of_view(&view, faces, &cost)
+        };
+        let views = AnyView::ALL.into_iter().map(view).collect();
+        let mut document = KernelsDocument::new(faces, self.runs.get(), kernels, views);
         document.file = Some(name(path));
         if self.json { json_line(&document) } else { Ok(render::kernel_times(&document)) }
     }

@@ -15,6 +15,7 @@ mod left_out;
 mod loops;
 mod make;
 mod matrix;
+mod pointers;
 #[cfg(feature = "render")]
 mod render;
 mod repair;
@@ -50,6 +51,7 @@ pub(crate) enum Command {
     #[cfg(not(feature = "flatten"))]
     Flatten(left_out::LeftOut),
     Make(make::Make),
+    Pointers(pointers::Pointers),
     Kernels(kernels::KernelsCommand),
     Explain(explain::Explain),
     #[cfg(feature = "completions")]
@@ -77,6 +79,7 @@ impl Command {
             #[cfg(feature = "flatten")]
             Command::Flatten(command) => slice::from_ref(&command.input),
             Command::Kernels(command) => command.file.as_slice(),
+            Command::Pointers(command) => slice::from_ref(&command.file),
             #[cfg(not(feature = "flatten"))]
             Command::Flatten(_) => &[],
             Command::Explain(command) => command.file.as_slice(),
@@ -111,6 +114,7 @@ impl Command {
             Command::Flatten(command) => command.run("flatten"),
             Command::Make(command) => command.run(console),
             Command::Kernels(command) => command.run(program.kernels, console),
+            Command::Pointers(command) => command.run(program.kernels, console),
             Command::Explain(command) => command.run(program, console),
             #[cfg(feature = "completions")]
             Command::Completions(command) => command.run(program, console),

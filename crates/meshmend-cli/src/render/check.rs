@@ -70,7 +70,7 @@ fn view(document: &CheckDocument) -> String {
 }
 
 /// The figures with what explains them.
-fn figures(report: &TopologyReport) -> Vec<String> {
+pub(super) fn figures(report: &TopologyReport) -> Vec<String> {
     let row = |label: &str, value: String, remark: String| vec![label.to_owned(), value, remark];
     let betti = |numbers: Option<[u64; 3]>| figure(numbers.map(|[a, b, c]| format!("{a} {b} {c}")));
     let why = |name: &str| {
@@ -127,7 +127,7 @@ fn reason(reason: Reason) -> &'static str {
 }
 
 /// The answers of yes and no, each no with its reasons.
-fn verdicts(report: &TopologyReport, style: Style) -> Vec<String> {
+pub(super) fn verdicts(report: &TopologyReport, style: Style) -> Vec<String> {
     if report.faces == 0 {
         return vec!["there is no face to judge".to_owned()];
     }

@@ -2,7 +2,7 @@
 
 use meshmend::passes::Passes;
 use meshmend::words::WORDS;
-use meshmend::{DefectKind, Kernels, Rules, Severity};
+use meshmend::{AnyView, DefectKind, Kernels, Rules, Severity};
 
 use super::lesson::{WIDTH, wrapped};
 use super::table;
@@ -28,7 +28,13 @@ pub(crate) fn explanation(heading: &str, text: &str, style: Style) -> String {
 }
 
 /// All words that can be explained.
-pub(crate) fn glossary(rules: Rules, passes: Passes, kernels: Kernels, style: Style) -> String {
+pub(crate) fn glossary(
+    rules: Rules,
+    passes: Passes,
+    kernels: Kernels,
+    laws: Vec<String>,
+    style: Style,
+) -> String {
     let severity = |kind: DefectKind| match kind.severity() {
         Severity::Defect => "defect".to_owned(),
         Severity::Note => "note".to_owned(),
@@ -42,7 +48,9 @@ pub(crate) fn glossary(rules: Rules, passes: Passes, kernels: Kernels, style: St
         paragraph(&style.heading("kinds of defect"), table::lines(&kinds, &[])),
         paragraph(&style.heading("passes, in their usual order"), passes),
         paragraph(&style.heading("kernels"), kernels),
+        paragraph(&style.heading("views"), AnyView::ALL.iter().map(|view| view.name.to_owned())),
         paragraph(&style.heading("words of topology"), words),
+        paragraph(&style.heading("laws of kernels"), laws),
     ];
     page.concat().trim_start().to_owned()
 }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use meshmend::mesh::{Array, Capabilities, counted};
 use meshmend::report::{KernelTrial, KernelsDocument};
-use meshmend::{AnyKernel, KernelQuestion, Kernels, LINEAR_LIMIT, Refusal};
+use meshmend::{AnyKernel, AnyView, KernelQuestion, Kernels, LINEAR_LIMIT, Refusal};
 
 use super::table::{self, Align};
 use super::{Style, paragraph};
@@ -20,23 +20,19 @@ pub(crate) struct Trial {
 pub(crate) fn kernels(kernels: Kernels, style: Style) -> String {
     let row = |kernel: AnyKernel| vec![kernel.name.to_owned(), holds(&kernel.capabilities)];
     let rows: Vec<Vec<String>> = kernels.all().map(row).collect();
-    let list = paragraph(&style.heading("kernels and what they hold"), table::lines(&rows, &[]));
+    let mut list = paragraph(&style.heading("kernels and what they hold"), table::lines(&rows, &[]));
+    let view = |view: AnyView| vec![view.name.to_owned(), view.rung.lacks().unwrap_or_default().to_owned()];
+    let views: Vec<Vec<String>> = AnyView::ALL.into_iter().map(view).collect();
+    list.push_str(&paragraph(
+        &style.heading("views, which hold anything and say less"),
+        table::lines(&views, &[]),
+    ));
     list.trim_start().to_owned()
 }
 
 fn holds(able: &Capabilities) -> String {
-    if able.is_permissive() {
-        return "anything".to_owned();
-    }
-    let needs = [
-        (able.non_simple_faces, "no face that comes back to a vertex"),
-        (able.polygons, "triangles"),
-        (able.non_manifold_edges, "no edge with three faces or more"),
-        (able.non_manifold_vertices, "no pinched vertex"),
-        (able.mixed_orientation, "neighbours that agree on their side"),
-    ];
-    let needs: Vec<&str> = needs.iter().filter(|(is_able, _)| !is_able).map(|(_, need)| *need).collect();
-    format!("needs {}", needs.join(", "))
+    let needs = able.needs();
+    if needs.is_empty() { "anything".to_owned() } else { format!("needs {}", needs.join(", ")) }
 }
 
 /// How each kernel took a mesh.
@@ -60,10 +56,11 @@ pub(crate) fn trials(file: &str, faces: usize, trials: &[Trial]) -> String {
 
 /// What each kernel costs on a mesh, in nanoseconds a face; and of which arrays it consists.
 pub(crate) fn kernel_times(document: &KernelsDocument) -> String {
-    let KernelsDocument { file, faces, runs, kernels, .. } = document;
+    let KernelsDocument { file, faces, runs, kernels, views, .. } = document;
+    let structures = || kernels.iter().chain(views);
     let heading = ["kernel", "bytes a face"].into_iter().chain(KernelQuestion::ALL.map(KernelQuestion::name));
     let heading = heading.map(str::to_owned).collect();
-    let rows = kernels.iter().map(|trial| times_of(trial, *faces));
+    let rows = structures().map(|trial| times_of(trial, *faces));
     let rows: Vec<Vec<String>> = std::iter::once(heading).chain(rows).collect();
     let mut alignment = vec![Align::Right; KernelQuestion::ALL.len() + 2];
     alignment[0] = Align::Left;

@@ -2,6 +2,7 @@
 
 mod check;
 mod conversion;
+mod explained_on;
 mod glossary;
 mod incremental;
 mod kernel;
@@ -12,6 +13,7 @@ mod matrix;
 mod paper_tables;
 #[cfg(feature = "render")]
 mod picture;
+mod pointers;
 mod repair;
 mod shapes;
 mod step_plot;
@@ -22,6 +24,7 @@ mod unfolded;
 
 pub(crate) use check::check;
 pub(crate) use conversion::conversion;
+pub(crate) use explained_on::{defects_on, word_on};
 pub(crate) use glossary::{defect_heading, explanation, glossary};
 pub(crate) use incremental::incremental;
 pub(crate) use kernel::{KernelOn, kernel};
@@ -32,6 +35,7 @@ pub(crate) use matrix::matrix;
 pub(crate) use paper_tables::paper_tables;
 #[cfg(feature = "render")]
 pub(crate) use picture::picture;
+pub(crate) use pointers::{element_counts, permutations, records};
 pub(crate) use repair::{repair, summary};
 pub(crate) use shapes::{shape, shapes};
 pub(crate) use step_plot::step_plot;

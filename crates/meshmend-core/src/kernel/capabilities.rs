@@ -51,6 +51,18 @@ impl Capabilities {
         self.refused_kinds().all(|kind| other.refused_kinds().any(|refused| refused == kind))
     }
 
+    /// What a mesh must be like to be held, in words; nothing for a kernel that holds anything.
+    pub fn needs(&self) -> Vec<&'static str> {
+        let needs = [
+            (self.non_simple_faces, "no face that comes back to a vertex"),
+            (self.polygons, "triangles"),
+            (self.non_manifold_edges, "no edge with three faces or more"),
+            (self.non_manifold_vertices, "no pinched vertex"),
+            (self.mixed_orientation, "neighbours that agree on their side"),
+        ];
+        needs.into_iter().filter(|(is_able, _)| !is_able).map(|(_, need)| need).collect()
+    }
+
     /// Whether no admitted edge has three sides or more and each admitted vertex has one umbrella.
     pub const fn is_manifold(&self) -> bool {
         !self.non_manifold_edges && !self.non_manifold_vertices

@@ -16,6 +16,49 @@ use crate::{
 ///
 /// The iterators are `impl Iterator`: as fast as callbacks, and three times as fast as boxed ones. So there is no
 /// `dyn Connectivity`; the kernel is chosen once a task.
+///
+/// # An implementer's guide
+///
+/// A kernel of another crate is one file, and one line that tests it:
+///
+/// ```text
+/// meshmend_conformance::kernel!(my_kernel: MyKernel);      // in tests/laws.rs: a test for each law
+/// ```
+///
+/// `examples/my-kernel` is a whole one to copy. With a [`Lesson`](crate::Lesson) the program lists, times and explains it.
+///
+/// **What is given.** [`assemble`](Self::assemble) gets a [`Complex`]: the faces as a [`FaceTable`](crate::FaceTable), and the edges as an
+/// [`EdgeTable`](crate::EdgeTable). It is called only for complexes that have none of the defects which [`CAPABILITIES`](Self::CAPABILITIES)
+/// leaves out, so it needs no error. It may be called for a mesh without faces, and for one whose vertices are in no face.
+///
+/// **Which ids.** Vertices, faces and corners are those of the face table. Edge ids come from
+/// [`complex.edges()`](Complex::edges): edges are numbered by their ends, the smaller vertex first. Stars must not come from there:
+/// else the kernel is tested against itself and nothing is compared.
+///
+/// **A structure without corners** still answers in corners: a corner is the side that begins there. A structure of edges stores a
+/// side as its edge and one bit, left or right of the edge, and for each edge the corners of both sides. That is 24 of the 78 bytes a
+/// triangle of a winged edge.
+///
+/// **Where stars begin.** A face begins at its first corner in the table; "any edge of the face" is not enough. An edge lists its
+/// corners ascending. A vertex lists its corners ascending, or, with [`Capabilities::ordered_vertex_stars`], in one walk,
+/// counter-clockwise as the face of its lowest corner runs: from the boundary on, or else from the lowest corner.
+///
+/// **Degenerate faces** have an id and no corners. They are counted by [`face_count`](Self::face_count), also in a kernel that holds triangles
+/// alone: so the face of corner `c` is not always `c / 3`.
+///
+/// **Boundaries.** An edge with one side has no opposite: [`across`](Self::across) is `None` there. Structures that link everything need a
+/// record for the hole, or a mark.
+///
+/// **What it costs.** [`COSTS`](Self::COSTS) says what the first answer takes where that is not constant. A kernel that
+/// searches the whole mesh for the corners of a vertex says [`Linear`](crate::Cost::Linear); it is then not held to more, and questions
+/// about all vertices group the corners once.
+///
+/// **What it takes.** [`heap_bytes`](Self::heap_bytes) counts what the kernel keeps alive on the heap beside the face table: capacity, not
+/// length. [`Lists`](crate::Lists) groups items by their owners, which is what most of `assemble` does, and [`Column`](crate::Column) is a vector
+/// that is indexed by ids; both know their bytes and name themselves for [`arrays`](Self::arrays).
+///
+/// **What it is good at.** Every provided method may be overridden by a faster one that gives the same answer in the same order;
+/// algorithms ask it.
 pub trait Connectivity: Sized + Send + Sync {
     /// What the kernel is called in commands and reports.
     const NAME: &'static str;

@@ -23,7 +23,7 @@ pub use edge_use::EdgeUse;
 pub use grouped::Grouped;
 pub use ladder::{Adjacency, Incidence};
 pub use lesson::Lesson;
-pub use pointers::{Cell, Pointer, Target};
+pub use pointers::{Cell, CellError, Pointer, Target};
 pub use stars::{
     EdgeClass, Umbrellas, VertexClass, edge_class, irregular_vertices, is_inconsistent, is_manifold,
     umbrellas, vertex_classes,

@@ -1,8 +1,9 @@
 //! What the record of an element refers to, as a kernel stores it.
 
 use std::fmt;
+use std::str::FromStr;
 
-use crate::{CornerId, EdgeId, FaceId, VertexId};
+use crate::{CornerId, EdgeId, FaceId, VertexId, printable};
 
 /// An element of a complex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,8 +47,34 @@ impl Pointer {
     }
 }
 
+/// A text that does not name an element.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CellError(String);
+
+impl fmt::Display for CellError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` is not an element: v, e, f or c and a number, such as e3", printable(&self.0))
+    }
+}
+
+impl std::error::Error for CellError {}
+
 macro_rules! cells {
-    ($($variant:ident($id:ident),)*) => {
+    ($($variant:ident($id:ident) = $letter:literal,)*) => {
+        /// An element as it is written in reports: `v0`, `e3`, `f2` or `c7`.
+        impl FromStr for Cell {
+            type Err = CellError;
+            fn from_str(text: &str) -> Result<Self, CellError> {
+                $(if let Some(digits) = text.strip_prefix($letter)
+                    && digits.bytes().all(|byte| byte.is_ascii_digit())
+                    && let Ok(number) = digits.parse()
+                {
+                    return Ok(Cell::$variant($id(number)));
+                })*
+                Err(CellError(text.to_owned()))
+            }
+        }
+
         $(impl From<$id> for Cell {
             fn from(id: $id) -> Self {
                 Cell::$variant(id)
@@ -65,10 +92,10 @@ macro_rules! cells {
 }
 
 cells! {
-    Vertex(VertexId),
-    Edge(EdgeId),
-    Face(FaceId),
-    Corner(CornerId),
+    Vertex(VertexId) = 'v',
+    Edge(EdgeId) = 'e',
+    Face(FaceId) = 'f',
+    Corner(CornerId) = 'c',
 }
 
 impl fmt::Display for Target {
@@ -78,6 +105,21 @@ impl fmt::Display for Target {
             Target::Dart(number) => write!(f, "dart {number}"),
             Target::Hole => f.pad("a hole"),
             Target::Nothing => f.pad("–"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elements_are_read_as_they_are_written() {
+        for text in ["v0", "e3", "f12", "c4294967295"] {
+            assert_eq!(text.parse::<Cell>().map(|cell| cell.to_string()).as_deref(), Ok(text));
+        }
+        for text in ["", "v", "x1", "3", "e-1", "e+1", "e 1", "v4294967296", "V1", "e1x"] {
+            assert!(text.parse::<Cell>().is_err(), "{text}");
         }
     }
 }

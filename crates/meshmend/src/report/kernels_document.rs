@@ -6,7 +6,7 @@ use meshmend_core::{Array, Refusal};
 use serde::Serialize;
 
 use super::SCHEMA;
-use crate::{KernelCost, KernelQuestion, Rung};
+use crate::{AnyView, KernelCost, KernelQuestion, Rung};
 
 /// What each structure costs on a mesh, or why it refuses.
 #[derive(Clone, Debug, Serialize)]
@@ -21,6 +21,8 @@ pub struct KernelsDocument {
     pub runs: usize,
     /// The kernels, in the order of the registry.
     pub kernels: Vec<KernelTrial>,
+    /// The structures that say less than a kernel.
+    pub views: Vec<KernelTrial>,
 }
 
 /// What a structure costs on a mesh, or why it refuses.
@@ -59,24 +61,41 @@ impl KernelTrial {
         };
         match result {
             Err(refusal) => KernelTrial { refusal: Some(refusal.to_string()), ..trial },
-            Ok(cost) => {
-                let seconds = |question| Some((question, cost.time(question)?.as_secs_f64()));
-                let is_left = |question: &KernelQuestion| cost.time(*question).is_none();
-                KernelTrial {
-                    bytes_a_face: Some(cost.heap_bytes as f64 / faces.max(1) as f64),
-                    arrays: cost.arrays.clone(),
-                    seconds: KernelQuestion::ALL.into_iter().filter_map(seconds).collect(),
-                    linear: KernelQuestion::ALL.into_iter().filter(is_left).collect(),
-                    ..trial
-                }
-            }
+            Ok(cost) => trial.measured(faces, cost),
+        }
+    }
+
+    /// What came of measuring a view on a mesh of so many proper faces.
+    pub fn of_view(view: &AnyView, faces: usize, cost: &KernelCost) -> Self {
+        let answers = KernelQuestion::ALL.into_iter().filter(|&question| view.answers(question));
+        let trial = KernelTrial {
+            name: view.name,
+            rung: view.rung,
+            answers: answers.collect(),
+            bytes_a_face: None,
+            arrays: Vec::new(),
+            seconds: BTreeMap::new(),
+            linear: Vec::new(),
+            refusal: None,
+        };
+        trial.measured(faces, cost)
+    }
+
+    fn measured(self, faces: usize, cost: &KernelCost) -> Self {
+        let seconds = |question| Some((question, cost.time(question)?.as_secs_f64()));
+        KernelTrial {
+            bytes_a_face: Some(cost.heap_bytes as f64 / faces.max(1) as f64),
+            arrays: cost.arrays.clone(),
+            seconds: KernelQuestion::ALL.into_iter().filter_map(seconds).collect(),
+            linear: self.answers.iter().copied().filter(|&question| cost.time(question).is_none()).collect(),
+            ..self
         }
     }
 }
 
 impl KernelsDocument {
     /// The document of some trials.
-    pub fn new(faces: usize, runs: usize, kernels: Vec<KernelTrial>) -> Self {
-        KernelsDocument { schema: SCHEMA, file: None, faces, runs, kernels }
+    pub fn new(faces: usize, runs: usize, kernels: Vec<KernelTrial>, views: Vec<KernelTrial>) -> Self {
+        KernelsDocument { schema: SCHEMA, file: None, faces, runs, kernels, views }
     }
 }

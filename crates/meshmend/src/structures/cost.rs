@@ -52,14 +52,28 @@ impl KernelCost {
         runs: usize,
         clock: impl Fn() -> Duration,
     ) -> Result<Self, Refusal> {
-        let mut cost = Self::of_run::<K>(mesh, &clock)?;
-        for _ in 1..runs {
-            let again = Self::of_run::<K>(mesh, &clock)?;
-            for (least, time) in cost.times.iter_mut().zip(again.times) {
-                *least = time.min(*least);
-            }
+        let first = Self::of_run::<K>(mesh, &clock)?;
+        (1..runs).try_fold(first, |least, _| Ok(least.or_faster(Self::of_run::<K>(mesh, &clock)?)))
+    }
+
+    /// A structure that has not been asked anything.
+    pub(super) fn unasked(kernel: &'static str) -> Self {
+        KernelCost {
+            kernel,
+            arrays: Vec::new(),
+            heap_bytes: 0,
+            times: [None; KernelQuestion::ALL.len()],
+            answers: [None; KernelQuestion::ALL.len()],
         }
-        Ok(cost)
+    }
+
+    /// Of two runs the lesser time for each question.
+    #[must_use]
+    pub(super) fn or_faster(mut self, other: Self) -> Self {
+        for (least, time) in self.times.iter_mut().zip(other.times) {
+            *least = time.min(*least);
+        }
+        self
     }
 
     /// How long a question took at least; `None` where it was not asked.
@@ -73,13 +87,7 @@ impl KernelCost {
         let is_large = mesh.complex().proper_face_count() > LINEAR_LIMIT;
         let mut start = clock();
         let kernel = K::build(&fresh)?;
-        let mut cost = KernelCost {
-            kernel: K::NAME,
-            arrays: Vec::new(),
-            heap_bytes: 0,
-            times: [None; KernelQuestion::ALL.len()],
-            answers: [None; KernelQuestion::ALL.len()],
-        };
+        let mut cost = Self::unasked(K::NAME);
         for question in KernelQuestion::ALL {
             if !(is_large && question.is_quadratic(&K::COSTS)) {
                 cost.answers[question as usize] = Some(question.ask(&kernel, mesh));

@@ -4,8 +4,10 @@ mod any_kernel;
 mod cost;
 mod kernels;
 mod question;
+mod views;
 
 pub use any_kernel::AnyKernel;
 pub use cost::{KernelCost, LINEAR_LIMIT};
 pub use kernels::{KernelNameError, Kernels};
 pub use question::{KernelQuestion, Rung};
+pub use views::AnyView;

@@ -128,7 +128,7 @@ impl Rung {
     /// What a structure of this rung lacks to answer more: `None` where nothing is lacking.
     pub fn lacks(self) -> Option<&'static str> {
         match self {
-            Rung::None => Some("no shared vertices"),
+            Rung::None => Some("weld first"),
             Rung::Adjacency => Some("no faces"),
             Rung::Incidence => Some("no corners"),
             Rung::Connectivity => None,
