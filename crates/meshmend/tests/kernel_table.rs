@@ -2,6 +2,8 @@
 //!
 //! `MESHMEND_WRITE=1 cargo test -p meshmend --test kernel_table` writes it anew.
 
+#![allow(clippy::expect_used, reason = "a test stops where it fails")]
+
 use std::fs;
 use std::path::Path;
 

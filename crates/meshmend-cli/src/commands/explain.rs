@@ -63,15 +63,15 @@ impl Entry {
 impl Explain {
     pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
         let style = console.style();
-        let Some(name) = self.name.as_deref() else {
+        let Some(word) = self.name.as_deref() else {
             let glossary = render::glossary(program.rules, program.passes, program.kernels, laws(), style);
             console.write(&glossary)?;
             return Ok(Status::Done);
         };
-        let entry = Entry::named(program, name, style).ok_or_else(|| Failure::usage(unknown(name)))?;
+        let entry = Entry::named(program, word, style).ok_or_else(|| Failure::usage(unknown(word)))?;
         let text = match &self.file {
             None => page(&entry, style),
-            Some(file) => self.page_on(file, name, &entry, program, console)?,
+            Some(file) => self.page_on(file, word, &entry, program, console)?,
         };
         console.write(&text)?;
         Ok(Status::Done)
@@ -81,7 +81,7 @@ impl Explain {
     fn page_on(
         &self,
         file: &Path,
-        name: &str,
+        word: &str,
         entry: &Entry,
         program: &Program,
         console: &mut Console<'_>,
@@ -89,7 +89,7 @@ impl Explain {
         let style = console.style();
         if let Entry::Page(_) = entry {
             return Err(Failure::usage(format!(
-                "`{name}` is explained without a file: no mesh has anything of it"
+                "`{word}` is explained without a file: no mesh has anything of it"
             )));
         }
         let mesh = self.mesh(file, console)?;
@@ -153,7 +153,7 @@ fn law(name: &str, style: Style) -> Option<String> {
     let often = law.often.map(|often| format!("\n*Often*: {often}.\n")).unwrap_or_default();
     let text = format!(
         "# {name}\n\nA law of kernels: {}.\n\n*Why*: {}.\n{often}\n*Try*: one line of test, \
-         `meshmend_conformance::kernel!(mine: MyKernel);`, and then `cargo test {}`.\n",
+         `meshmend_conformance::kernel!(mine: MyKernel);`, and then\n\n```sh\ncargo test {}\n```\n",
         law.sentence,
         law.why,
         law.id.replace('-', "_")

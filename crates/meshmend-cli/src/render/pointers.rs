@@ -61,10 +61,7 @@ pub(crate) fn permutations(permutations: &Permutations) -> String {
         };
         let cycles: Vec<String> = cycles.iter().map(cycle).collect();
         let heading = format!("{name}: {}", counted(cycles.len(), "cycle"));
-        page.push_str(&paragraph(
-            &heading,
-            super::lesson::wrapped(&cycles.join(" "), super::glossary::WIDTH),
-        ));
+        page.push_str(&paragraph(&heading, super::lesson::wrapped(&cycles.join(" "), super::lesson::WIDTH)));
     }
     page
 }
