@@ -117,3 +117,17 @@ macro_rules! grade {
         }
     };
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::LAWS;
+
+    #[test]
+    fn the_macro_has_a_test_for_each_law_but_the_size() {
+        let rows = include_str!("macros.rs").lines().map(str::trim);
+        let tests: Vec<&str> = rows.filter(|row| row.ends_with("\",")).collect();
+        let expected = LAWS.iter().filter(|law| law.id != "size");
+        let row = |id: &str| format!("{} \"{id}\",", id.replace('-', "_"));
+        assert_eq!(tests, expected.map(|law| row(law.id)).collect::<Vec<_>>());
+    }
+}

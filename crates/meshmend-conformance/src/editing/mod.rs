@@ -1,7 +1,7 @@
 //! The laws of an editor: a mesh that operators change.
 //!
 //! An editor is asked by vertex numbers alone, through [`Editing`], so that it may store what it likes. Beside it stand the
-//! faces as plain lists, on which each operator is done without a question ([`surface`], [`model`]).
+//! faces as plain lists, on which each operator is done without a question (`surface`, `model`).
 
 mod drawn;
 mod inverse;
