@@ -1,12 +1,12 @@
 //! Meshes put together cell by cell end at the Betti numbers of the whole, and each prefix of the faces has those that
 //! the naive oracle gives it.
 
-use meshmend_core::{Connectivity, EdgeUse, PolygonMesh};
+use meshmend_core::{Cell, Connectivity, EdgeUse, PolygonMesh};
 use meshmend_kernels::{KernelKind, KernelTask};
 use meshmend_testkit::{Soup, oracle, shapes, worlds};
 use meshmend_tests::corpus::{Entry, corpus};
 use meshmend_tests::each::assert_each;
-use meshmend_topology::{Cell, Incremental, incremental, patches, topology};
+use meshmend_topology::{Incremental, incremental, patches, topology};
 
 struct Build;
 

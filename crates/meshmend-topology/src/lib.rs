@@ -39,8 +39,8 @@ pub use faces::{
     non_simple_faces,
 };
 pub use homology::{
-    Betti, Cell, ELIMINATION_BUDGET, Effect, Incremental, Instigators, REDUCTION_BUDGET, Step, betti,
-    betti_within, incremental, incremental_within, instigators,
+    Betti, ELIMINATION_BUDGET, Effect, Incremental, Instigators, REDUCTION_BUDGET, Step, betti, betti_within,
+    incremental, incremental_within, instigators,
 };
 pub use ids::{ComponentId, PatchId};
 pub use loops::{

@@ -1,7 +1,8 @@
 //! What each cell of a mesh changed.
 
+use meshmend::mesh::Cell;
 use meshmend::report::{IncrementalDocument, RunningStep};
-use meshmend::topology::{Cell, Effect};
+use meshmend::topology::Effect;
 
 use super::table::{self, Align};
 use super::{ABSENT, Style, figure, paragraph, printable};
@@ -53,6 +54,7 @@ fn row(step: &RunningStep) -> Vec<String> {
         Cell::Vertex(vertex) => (vertex.to_string(), ["starts a component", ABSENT]),
         Cell::Edge(edge) => (edge.to_string(), ["starts a loop", "joins two components"]),
         Cell::Face(face) => (face.to_string(), ["encloses a void", "fills a loop"]),
+        Cell::Corner(corner) => (corner.to_string(), [ABSENT; 2]),
     };
     let effect = match step.effect {
         Some(Effect::Starts) => effects[0],

@@ -5,8 +5,9 @@ use std::str::FromStr;
 
 use crate::{CornerId, EdgeId, FaceId, VertexId, printable};
 
-/// An element of a complex.
+/// A cell of a complex, or a corner of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Cell {
     /// A vertex.
     Vertex(VertexId),

@@ -155,7 +155,10 @@ impl Sheet<'_> {
             "<path class=\"arrow\" marker-end=\"url(#head)\" d=\"M{:.1} {:.1}Q{:.1} {:.1} {:.1} {:.1}\"/>",
             start[0], start[1], control[0], control[1], end[0], end[1]
         );
-        let label = between(between(from, to, 0.5), control, 0.55);
+        // The name of a short arrow stands beside it: there is no room on it.
+        let aside = if length < 60.0 { 36.0 } else { 0.55 * bend };
+        let middle = between(from, to, 0.5);
+        let label = [middle[0] + aside * across[0], middle[1] + aside * across[1]];
         text(svg, "field", label, escaped(arrow.field));
         if let Target::Dart(_) | Target::Hole = arrow.to {
             text(svg, "id", [to[0], to[1] + 16.0], arrow.to);

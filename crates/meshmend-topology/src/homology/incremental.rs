@@ -14,7 +14,7 @@
 //! *Source*: C. Delfinado, H. Edelsbrunner, *An incremental algorithm for Betti numbers of simplicial complexes on the
 //! 3-sphere*, 1995; A. Bærentzen, *On the Topology of Polygonal Meshes*, 2025, Table 2, whose instigators the counts are.
 
-use meshmend_core::{Column, Connectivity, EdgeClass, EdgeId, FaceId, VertexId, edge_class};
+use meshmend_core::{Cell, Column, Connectivity, EdgeClass, EdgeId, FaceId, VertexId, edge_class};
 use petgraph::unionfind::UnionFind;
 use serde::Serialize;
 
@@ -30,18 +30,6 @@ use reduction::Reduction;
 /// within it.
 pub const REDUCTION_BUDGET: u64 = 1 << 28;
 
-/// A vertex, an edge or a face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Cell {
-    /// A vertex.
-    Vertex(VertexId),
-    /// An edge.
-    Edge(EdgeId),
-    /// A face.
-    Face(FaceId),
-}
-
 /// What a cell does to the cycles when it is added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -55,7 +43,7 @@ pub enum Effect {
 /// A cell that is added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Step {
-    /// The cell.
+    /// The cell: a vertex, an edge or a face.
     pub cell: Cell,
     /// What it does; absent for a face where the reduction went over its budget.
     pub effect: Option<Effect>,
@@ -80,8 +68,8 @@ impl Incremental {
         let mut numbers = [Some(0u64); 3];
         self.steps.iter().map(move |step| {
             let [own, below] = match step.cell {
-                // There is nothing below that a vertex could fill.
-                Cell::Vertex(_) => [0, 0],
+                // There is nothing below that a vertex could fill; corners are not added.
+                Cell::Vertex(_) | Cell::Corner(_) => [0, 0],
                 Cell::Edge(_) => [1, 0],
                 Cell::Face(_) => [2, 1],
             };
@@ -123,7 +111,7 @@ impl Incremental {
 ///
 /// ```
 /// # use meshmend_core::{Build, EdgeUse, Connectivity, FaceTable, PolygonMesh, VertexId};
-/// # use meshmend_topology::{Cell, Effect, incremental, patches};
+/// # use meshmend_topology::{Effect, incremental, patches};
 /// let tetrahedron = [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0].map(VertexId).to_vec();
 /// let mesh = PolygonMesh::new(vec![[0.0; 3]; 4], FaceTable::triangles(4, tetrahedron)?)?;
 /// let kernel = EdgeUse::build(mesh.complex())?;
@@ -256,6 +244,7 @@ mod tests {
                     kernel.face_corners(face).for_each(|c| row[kernel.corner_edge(c).index()] += 1);
                     d2.push(row);
                 }
+                Cell::Corner(corner) => panic!("{corner} is added"),
             }
             let (r1, r2) = (dense_rank(&d1, 2), dense_rank(&d2, 2));
             [vertices - r1, d1.len() - r1 - r2, d2.len() - r2].map(|number| Some(number as u64))

@@ -7,4 +7,4 @@ mod incremental;
 pub(crate) use elimination::{PrimeField, SparseRows};
 
 pub use betti::{Betti, ELIMINATION_BUDGET, Instigators, betti, betti_within, instigators};
-pub use incremental::{Cell, Effect, Incremental, REDUCTION_BUDGET, Step, incremental, incremental_within};
+pub use incremental::{Effect, Incremental, REDUCTION_BUDGET, Step, incremental, incremental_within};

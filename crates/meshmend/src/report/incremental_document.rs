@@ -1,9 +1,9 @@
 //! The document of a mesh that is put together cell by cell.
 
-use meshmend_core::{Connectivity, EdgeUse, PolygonMesh};
+use meshmend_core::{Cell, Connectivity, EdgeUse, PolygonMesh};
 use meshmend_io::{Note, ReadFile};
 use meshmend_repair::{Distance, PassError};
-use meshmend_topology::{Cell, Effect, Incremental, Instigators, Reason, incremental, patches};
+use meshmend_topology::{Effect, Incremental, Instigators, Reason, incremental, patches};
 use serde::Serialize;
 
 use super::{Listing, SCHEMA};
