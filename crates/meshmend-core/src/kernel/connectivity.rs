@@ -27,13 +27,18 @@ use crate::{
 ///
 /// `examples/my-kernel` is a whole one to copy. With a [`Lesson`](crate::Lesson) the program lists, times and explains it.
 ///
+/// **What is declared.** [`CAPABILITIES`](Self::CAPABILITIES) is one of the sets that [`Capabilities`] names, or such a set with another
+/// field: `Capabilities { ordered_vertex_stars: true, ..Capabilities::TRIANGLES }`. A kernel that holds manifold meshes alone also
+/// says `impl ManifoldConnectivity for MyKernel {}`.
+///
 /// **What is given.** [`assemble`](Self::assemble) gets a [`Complex`]: the faces as a [`FaceTable`](crate::FaceTable), and the edges as an
 /// [`EdgeTable`](crate::EdgeTable). It is called only for complexes that have none of the defects which [`CAPABILITIES`](Self::CAPABILITIES)
 /// leaves out, so it needs no error. It may be called for a mesh without faces, and for one whose vertices are in no face.
 ///
 /// **Which ids.** Vertices, faces and corners are those of the face table. Edge ids come from
-/// [`complex.edges()`](Complex::edges): edges are numbered by their ends, the smaller vertex first. Stars must not come from there:
-/// else the kernel is tested against itself and nothing is compared.
+/// [`complex.edges()`](Complex::edges): edges are numbered by their ends, the smaller vertex first, and
+/// [`corner_edge`](crate::EdgeTable::corner_edge) and [`all_ends`](crate::EdgeTable::all_ends) give the numbers. Its `edge_corners` and
+/// `edge_sides` are stars, which a kernel finds for itself: else its own structure is never tested.
 ///
 /// **A structure without corners** still answers in corners: a corner is the side that begins there. A structure of edges stores a
 /// side as its edge and one bit, left or right of the edge, and for each edge the corners of both sides. That is 24 of the 78 bytes a
@@ -41,10 +46,12 @@ use crate::{
 ///
 /// **Where stars begin.** A face begins at its first corner in the table; "any edge of the face" is not enough. An edge lists its
 /// corners ascending. A vertex lists its corners ascending, or, with [`Capabilities::ordered_vertex_stars`], in one walk,
-/// counter-clockwise as the face of its lowest corner runs: from the boundary on, or else from the lowest corner.
+/// counter-clockwise as the face of its lowest corner runs: from the boundary on, or else from the lowest corner. Where all faces
+/// agree, the walk goes from a corner to `across(prev_corner(c))`, and on the boundary it begins at the corner with nothing across.
 ///
 /// **Degenerate faces** have an id and no corners. They are counted by [`face_count`](Self::face_count), also in a kernel that holds triangles
-/// alone: so the face of corner `c` is not always `c / 3`.
+/// alone: so the face of corner `c` is not always `c / 3`. [`FaceIndex`](crate::FaceIndex) is the face table with the face of each corner in
+/// constant time, and takes no memory beside it where every face is a triangle.
 ///
 /// **Boundaries.** An edge with one side has no opposite: [`across`](Self::across) is `None` there. Structures that link everything need a
 /// record for the hole, or a mark.
@@ -55,7 +62,11 @@ use crate::{
 ///
 /// **What it takes.** [`heap_bytes`](Self::heap_bytes) counts what the kernel keeps alive on the heap beside the face table: capacity, not
 /// length. [`Lists`](crate::Lists) groups items by their owners, which is what most of `assemble` does, and [`Column`](crate::Column) is a vector
-/// that is indexed by ids; both know their bytes and name themselves for [`arrays`](Self::arrays).
+/// that is indexed by ids; both know their bytes and name themselves for [`arrays`](Self::arrays). The bytes are held against the
+/// allocator by `meshmend_conformance::kernel_size!(MyKernel)`, in a test file of its own.
+///
+/// **What it shows.** [`pointers`](Self::pointers) gives the fields as they are stored: what arithmetic finds is not a field. A field that
+/// would cross the boundary says [`Hole`](crate::Target::Hole); one that is empty says [`Nothing`](crate::Target::Nothing).
 ///
 /// **What it is good at.** Every provided method may be overridden by a faster one that gives the same answer in the same order;
 /// algorithms ask it.
@@ -111,7 +122,8 @@ pub trait Connectivity: Sized + Send + Sync {
     }
 
     /// The fields of the record that stands for an element, with what they lead to; none where the kernel has no such
-    /// record, or does not name its fields.
+    /// record, or does not name its fields. Fields of a corner that are called `next`, `prev` and `twin` must agree with
+    /// [`next_corner`](Connectivity::next_corner), [`prev_corner`](Connectivity::prev_corner) and [`across`](Connectivity::across).
     fn pointers(&self, of: Cell) -> Vec<Pointer> {
         let _ = of;
         Vec::new()

@@ -35,9 +35,9 @@ pub enum Target {
     Cell(Cell),
     /// To a record that is not an element's, such as a half-edge along the boundary, by its number.
     Dart(u32),
-    /// To a hole of the surface.
+    /// To a hole of the surface: the field would lead across the boundary.
     Hole,
-    /// The field says that there is nothing.
+    /// The field says that there is nothing: a vertex in no face has no first corner.
     Nothing,
 }
 
