@@ -29,9 +29,9 @@
 //! # A tour
 //!
 //! * **The laws** are [`LAWS`]: each has a stable id, a sentence, what rests on it, and the usual mistake. What is right is
-//!   found from plain lists of the faces; no law trusts another answer of the kernel. Three look at answers that are made
-//!   of others, or draw on all of them (`derived`, `pointers`, `report`): they are asked on the meshes on which the others
-//!   are kept.
+//!   found from plain lists of the faces; no law trusts another answer of the kernel. `derived`, `arrays`, `pointers` and
+//!   `report` are about answers that are made of others: they are asked where the others are kept, and of the many sets
+//!   over five vertices on every eighth, the report on every sixty-fourth.
 //! * **The meshes** are every set of oriented triangles over up to five vertices, every small table with faces of any length,
 //!   degenerate ones among them, shapes of the textbook, and random tables that are the same in every run. They are visited
 //!   by faces and vertices, so the first one that breaks a law is the smallest; a random one is made smaller.

@@ -15,6 +15,17 @@ use crate::laws::{
 };
 use crate::worlds::{FAMILIES, Family, World, shrunk, sized_meshes};
 
+/// What is asked on a mesh.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Look {
+    /// The laws that look at plain lists.
+    Plain,
+    /// Also those about answers that are made of others.
+    Close,
+    /// Also the cross-check, and whether a refusal has every reason, which takes admission twice.
+    Whole,
+}
+
 /// A run over the meshes of a world.
 pub(crate) struct Visit<'a, K> {
     job: &'a Job,
@@ -28,9 +39,9 @@ pub(crate) struct Visit<'a, K> {
 
 /// Each how many meshes the run says where it is.
 const LAP: u32 = 64;
-/// What takes long is asked on one in so many of the meshes of which there are many: the cross-check, and whether a refusal
-/// has every reason, which needs admission twice.
-const SAMPLED: u32 = 64;
+/// Of the meshes of which there are many, one in so many has a close look, and one in so many the whole one.
+const OFTEN: u32 = 8;
+const SELDOM: u32 = 64;
 /// Faces, or corners of one face, of the meshes on which growth is watched.
 const SIZES: [usize; 2] = [2_500, 20_000];
 
@@ -53,8 +64,15 @@ impl<'a, K: Connectivity> Visit<'a, K> {
                 self.findings.tell(Event::At(number));
             }
             let candidate = world.mesh(number as usize);
-            let is_sampled = !candidate.is_one_of_many || number.is_multiple_of(SAMPLED);
-            self.on(&candidate.soup, candidate.is_random, is_sampled);
+            let is_one_in = |many| !candidate.is_one_of_many || number.is_multiple_of(many);
+            let look = if is_one_in(SELDOM) {
+                Look::Whole
+            } else if is_one_in(OFTEN) {
+                Look::Close
+            } else {
+                Look::Plain
+            };
+            self.on(&candidate.soup, candidate.is_random, look);
         }
         for (family, number) in FAMILIES.iter().zip(world.len() as u32..) {
             if number >= self.job.from {
@@ -87,8 +105,8 @@ impl<'a, K: Connectivity> Visit<'a, K> {
     }
 
     /// All laws on one mesh.
-    fn on(&mut self, soup: &Soup, is_random: bool, is_sampled: bool) {
-        let mesh = is_sampled.then(|| soup.mesh());
+    fn on(&mut self, soup: &Soup, is_random: bool, look: Look) {
+        let mesh = (look == Look::Whole).then(|| soup.mesh());
         let made;
         let complex = match &mesh {
             Some(mesh) => mesh.complex(),
@@ -97,7 +115,7 @@ impl<'a, K: Connectivity> Visit<'a, K> {
                 &made
             }
         };
-        let (at, answer, kernel) = self.build(complex, is_sampled);
+        let (at, answer, kernel) = self.build(complex, look == Look::Whole);
         self.findings.judge(at, answer, Some(complex), || Example::of(soup));
         let Some(kernel) = kernel else { return };
         self.held += 1;
@@ -108,7 +126,8 @@ impl<'a, K: Connectivity> Visit<'a, K> {
         let mut are_lists_kept = true;
         for at in 0..self.checks.len() {
             let Check { law, basis, ask } = self.checks[at];
-            let is_off = basis == Basis::Answers && !are_lists_kept || is_cross_check(law) && !is_sampled;
+            let is_due = look >= if is_cross_check(law) { Look::Whole } else { Look::Close };
+            let is_off = basis == Basis::Answers && !(are_lists_kept && is_due);
             if is_off || self.findings.is_shut(number(law.id)) {
                 continue;
             }
