@@ -63,7 +63,7 @@ fn least(command: &Command, but: &Arg) -> Vec<String> {
         }
     }
     // What an option asks for beside itself is not told by its description.
-    if command.get_name() == "kernels" && ["runs", "json"].contains(&but.get_id().as_str()) {
+    if command.get_name() == "kernels" && ["runs", "json", "svg"].contains(&but.get_id().as_str()) {
         words.push("--bench".to_owned());
     }
     match (command.get_name(), but.get_id().as_str()) {

@@ -73,6 +73,14 @@ fn kernels_are_timed_on_a_file() {
     for word in ["edge-use", "one-rings", "refuses", "(v0 joins 2 umbrellas)", "best of 1"] {
         assert!(page.contains(word), "{word}: {page}");
     }
+    let folder = Folder::new();
+    let bars = folder.at("bars.svg");
+    meshmend(&[&bench[..], &["--svg", &bars]].concat()).succeeds();
+    let drawn = fs::read_to_string(&bars).unwrap();
+    assert!(
+        drawn.contains(">face-vertex</text>") && drawn.contains("<title>points: 24 bytes a corner</title>")
+    );
+    assert!(!drawn.contains(">half-edge</text>"), "it refuses the mesh");
     meshmend(&["kernels", "--bench"]).fails(2, "FILE");
     meshmend(&["kernels", &example("pinched.ply"), "--json"]).fails(2, "--bench");
 }

@@ -13,8 +13,9 @@ use super::check::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
+use crate::outputs::{Content, Files};
 use crate::render::{self, Trial};
-use crate::streams::{InputWords, name};
+use crate::streams::{InputWords, Report, name, reserve, write_with};
 use crate::words::{self, Welding};
 
 /// List the kernels and what each holds; with a file, what each costs for it, or why it refuses
@@ -38,6 +39,9 @@ pub(crate) struct KernelsCommand {
     /// Print the times as JSON
     #[arg(long, requires = "bench")]
     json: bool,
+    /// Also draw the bytes a face of each structure, by array; `-` is standard output
+    #[arg(long, value_name = "OUT.svg", requires = "bench")]
+    svg: Option<PathBuf>,
 }
 
 impl KernelsCommand {
@@ -46,18 +50,31 @@ impl KernelsCommand {
             console.write(&render::kernels(kernels, console.style()))?;
             return Ok(Status::Done);
         };
+        Files::of_mesh(path).writing("--svg", self.svg.as_deref(), Content::Picture).check()?;
+        if let Some(picture) = &self.svg {
+            reserve(picture, Report::of(self.json), console)?;
+        }
         let file = InputWords::of(self.from).read(path, console)?;
         let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
         let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
         drop(file);
-        let text =
-            if self.bench { self.bench(kernels, path, &mesh)? } else { tried(kernels, path, &mesh, console) };
+        let text = if self.bench {
+            self.bench(kernels, path, &mesh, console)?
+        } else {
+            tried(kernels, path, &mesh, console)
+        };
         console.write(&text)?;
         Ok(Status::Done)
     }
 
     /// What each kernel and each view costs by the clock.
-    fn bench(&self, kernels: Kernels, path: &Path, mesh: &PolygonMesh) -> Result<String, Failure> {
+    fn bench(
+        &self,
+        kernels: Kernels,
+        path: &Path,
+        mesh: &PolygonMesh,
+        console: &mut Console<'_>,
+    ) -> Result<String, Failure> {
         let (start, faces) = (Instant::now(), mesh.complex().proper_face_count());
         let trial = |kernel: AnyKernel| {
             let cost = kernel.cost(mesh, self.runs.get(), &|| start.elapsed());
@@ -71,6 +88,13 @@ impl KernelsCommand {
         let views = AnyView::ALL.into_iter().map(view).collect();
         let mut document = KernelsDocument::new(faces, self.runs.get(), kernels, views);
         document.file = Some(name(path));
+        if let Some(path) = &self.svg {
+            let bars = render::byte_bars(&document);
+            write_with(path, console, |out| {
+                out.write_all(bars.as_bytes())?;
+                out.flush()
+            })?;
+        }
         if self.json { json_line(&document) } else { Ok(render::kernel_times(&document)) }
     }
 }

@@ -1,5 +1,6 @@
 //! Reports in words, for people. Nothing else formats text for them, and nothing here looks at a mesh.
 
+mod byte_bars;
 mod check;
 mod conversion;
 mod explained_on;
@@ -22,6 +23,7 @@ mod table;
 #[cfg(feature = "flatten")]
 mod unfolded;
 
+pub(crate) use byte_bars::byte_bars;
 pub(crate) use check::check;
 pub(crate) use conversion::conversion;
 pub(crate) use explained_on::{defects_on, word_on};

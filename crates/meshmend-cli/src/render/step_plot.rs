@@ -109,7 +109,7 @@ impl Columns {
 }
 
 /// A text that stands for itself in XML.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     super::printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
