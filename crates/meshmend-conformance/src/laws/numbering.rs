@@ -26,7 +26,10 @@ pub(super) const NUMBERING: Law = Law {
     id: "numbering",
     sentence: "a corner has the vertex, the face and the edge that it has in the mesh, and an edge its ends, the smaller first",
     why: "ids mean the same in every kernel, so answers of two kernels can be compared and passed on",
-    often: Some("edges numbered as they were met; here they are numbered by (smaller, larger vertex)"),
+    often: Some(
+        "edges numbered as they were met; here they are numbered by (smaller, larger vertex). Or the face of corner c taken for \
+        c / 3: degenerate faces have ids and no corners",
+    ),
 };
 
 pub(super) fn numbering<K: Connectivity>(asked: &Asked<'_, K>) -> Result<(), Breach> {

@@ -9,7 +9,9 @@ pub(super) const VERTEX_STARS: Law = Law {
     id: "vertex-stars",
     sentence: "a vertex has the corners that stand at it, each once; ascending, unless vertex stars are ordered",
     why: "umbrellas, links and normals are read off the corners at a vertex",
-    often: Some("a pinched vertex: one pointer reaches one umbrella"),
+    often: Some(
+        "a walk that begins inside and ends at the boundary; or a pinched vertex: one pointer reaches one umbrella",
+    ),
 };
 
 pub(super) fn vertex_stars<K: Connectivity>(asked: &Asked<'_, K>) -> Result<(), Breach> {
