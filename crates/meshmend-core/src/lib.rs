@@ -54,8 +54,9 @@ pub use faces::{
 pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
 pub use kernel::{
     Adjacency, Array, Build, Capabilities, Cell, CellError, Connectivity, Cost, Costs, EdgeClass, EdgeUse,
-    Grouped, Incidence, Lesson, ManifoldConnectivity, Per, Pointer, Refusal, Target, Umbrellas, VertexClass,
-    admission, edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas, vertex_classes,
+    Grouped, Incidence, KernelTask, Lesson, ManifoldConnectivity, Per, Pointer, Refusal, Target, Umbrellas,
+    VertexClass, admission, edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas,
+    vertex_classes,
 };
 pub use lists::Lists;
 pub use polygon_mesh::{Counts, MeshArrays, MeshError, Metadata, PolygonMesh};

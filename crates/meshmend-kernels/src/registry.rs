@@ -2,18 +2,7 @@
 
 use std::fmt;
 
-use meshmend_core::{Build, Capabilities, Complex, Connectivity, Cost, Costs, Grouped, Lesson, Refusal};
-
-/// A question to ask of a complex, whichever kernel holds it.
-///
-/// It is a trait rather than a closure because the answer is compiled for each kernel: a query costs what the
-/// kernel's own code costs, and nothing for having been chosen at run time.
-pub trait KernelTask {
-    /// The answer.
-    type Output;
-    /// Asks a kernel.
-    fn run<K: Connectivity>(self, kernel: &K) -> Self::Output;
-}
+use meshmend_core::{Build, Capabilities, Complex, Connectivity, Costs, Lesson, Refusal};
 
 /// Something to make of a kernel's type, before there is a mesh.
 pub trait KernelVisitor {
@@ -76,27 +65,14 @@ macro_rules! kernels {
                     $(KernelKind::$name => Ok(task.run(&$name::build(complex)?)),)*
                 }
             }
-
-            /// As [`run`](Self::run), for a task that looks at all vertices: a kernel that takes linear time for the corners of
-            /// one vertex is asked with its corners [`Grouped`].
-            ///
-            /// # Errors
-            /// When the kernel can't hold the complex: every reason why.
-            pub fn run_grouped<T: KernelTask>(self, complex: &Complex, task: T) -> Result<T::Output, Refusal> {
-                match self {
-                    KernelKind::EdgeUse => self.run(complex, task),
-                    $(KernelKind::$name if $name::COSTS.vertex_star == Cost::Linear => {
-                        Ok(task.run(&Grouped::<$name>::build(complex)?))
-                    })*
-                    _ => self.run(complex, task),
-                }
-            }
         }
     };
 }
 
 /// The default kernel, which lives in the core because refusals are computed on it.
 pub use meshmend_core::EdgeUse;
+/// What is asked of a kernel that is chosen by value.
+pub use meshmend_core::KernelTask;
 
 /// Calls a macro with the row of each kernel but the default one.
 #[doc(hidden)]
@@ -120,6 +96,26 @@ macro_rules! every_kernel {
 every_kernel!(kernels);
 
 impl KernelKind {
+    /// As [`run`](Self::run), for a task that looks at the corners of all vertices
+    /// ([`Connectivity::ask_of_all_vertices`]).
+    ///
+    /// # Errors
+    /// When the kernel can't hold the complex: every reason why.
+    pub fn run_on_all_vertices<T: KernelTask>(
+        self,
+        complex: &Complex,
+        task: T,
+    ) -> Result<T::Output, Refusal> {
+        struct OfAll<T>(T);
+        impl<T: KernelTask> KernelTask for OfAll<T> {
+            type Output = T::Output;
+            fn run<K: Connectivity>(self, kernel: &K) -> T::Output {
+                kernel.ask_of_all_vertices(self.0)
+            }
+        }
+        self.run(complex, OfAll(task))
+    }
+
     /// The text that teaches it, as [`Lesson::TEXT`] says.
     pub fn lesson(self) -> &'static str {
         struct Text;

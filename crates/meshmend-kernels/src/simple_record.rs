@@ -1,8 +1,8 @@
 #![doc = include_str!("simple_record.md")]
 
 use meshmend_core::{
-    Array, Capabilities, Cell, Column, Complex, Connectivity, CornerId, Cost, Costs, EdgeId, FaceId, Id,
-    Lesson, ManifoldConnectivity, Per, Pointer, Target, VertexId,
+    Array, Capabilities, Cell, Column, Complex, Connectivity, CornerId, Cost, Costs, EdgeId, FaceId, Grouped,
+    Id, KernelTask, Lesson, ManifoldConnectivity, Per, Pointer, Target, VertexId,
 };
 
 use crate::triangles::{Triangles, next, prev};
@@ -153,6 +153,10 @@ impl Connectivity for SimpleRecord {
         let [one, other] = self.edges[edge].faces;
         let beyond = if one == face { other } else { one };
         if beyond == NO_FACE { None } else { self.side_along(edge, beyond) }
+    }
+
+    fn ask_of_all_vertices<T: KernelTask>(&self, task: T) -> T::Output {
+        task.run(&Grouped::of(self))
     }
 
     fn heap_bytes(&self) -> usize {

@@ -99,7 +99,7 @@ pub(crate) fn along_rules(
     mesh: &PolygonMesh,
     context: &Context<'_>,
 ) -> Result<(PolygonMesh, Provenance), PassError> {
-    context.kernel.run_grouped(mesh.complex(), AlongRules { mesh, context })?
+    context.kernel.run_on_all_vertices(mesh.complex(), AlongRules { mesh, context })?
 }
 
 struct AlongRules<'a> {

@@ -1,7 +1,8 @@
 //! The questions that every kernel answers.
 
 use crate::{
-    Array, Capabilities, Cell, Complex, CornerId, Costs, EdgeId, FaceId, Id, Per, Pointer, VertexId,
+    Array, Capabilities, Cell, Complex, CornerId, Costs, EdgeId, FaceId, Id, KernelTask, Per, Pointer,
+    VertexId,
 };
 
 /// A way of storing which corners meet where, with the same answers from every implementation.
@@ -57,8 +58,8 @@ use crate::{
 /// record for the hole, or a mark.
 ///
 /// **What it costs.** [`COSTS`](Self::COSTS) says what the first answer takes where that is not constant. A kernel that
-/// searches the whole mesh for the corners of a vertex says [`Linear`](crate::Cost::Linear); it is then not held to more, and questions
-/// about all vertices group the corners once.
+/// searches the whole mesh for the corners of a vertex says [`Linear`](crate::Cost::Linear); it is then not held to more, and
+/// overrides [`ask_of_all_vertices`](Self::ask_of_all_vertices) in one line, so that checks of large meshes stay near-linear.
 ///
 /// **What it takes.** [`heap_bytes`](Self::heap_bytes) counts what the kernel keeps alive on the heap beside the face table: capacity, not
 /// length. [`Lists`](crate::Lists) groups items by their owners, which is what most of `assemble` does, and [`Column`](crate::Column) is a vector
@@ -229,6 +230,14 @@ pub trait Connectivity: Sized + Send + Sync {
     /// The vertices to which the sides run that begin at a vertex: one for each of its corners, in their order.
     fn vertex_ring(&self, vertex: VertexId) -> impl Iterator<Item = VertexId> + Clone {
         self.vertex_corners(vertex).map(|corner| self.corner_target(corner))
+    }
+
+    /// Asks a question that looks at the corners of all vertices.
+    ///
+    /// A kernel that takes [linear](crate::Cost::Linear) time for one vertex overrides this, and has the question asked of itself
+    /// [`Grouped`](crate::Grouped), so that it stays near-linear.
+    fn ask_of_all_vertices<T: KernelTask>(&self, task: T) -> T::Output {
+        task.run(self)
     }
 
     /// The boundary edge at the other end of a fan of corners: from a boundary edge round one of its vertices, from face

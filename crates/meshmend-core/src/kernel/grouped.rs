@@ -33,12 +33,12 @@ impl<K> Deref for Held<'_, K> {
 }
 
 impl<'a, K: Connectivity> Grouped<'a, K> {
-    /// Groups the corners of a kernel whose vertex stars take linear time; `None` for any other kernel.
-    pub fn if_linear(kernel: &'a K) -> Option<Self> {
-        (K::COSTS.vertex_star == Cost::Linear).then(|| Self::of(Held::Borrowed(kernel)))
+    /// A kernel with the corners of its vertices grouped.
+    pub fn of(kernel: &'a K) -> Self {
+        Self::grouping(Held::Borrowed(kernel))
     }
 
-    fn of(kernel: Held<'a, K>) -> Self {
+    fn grouping(kernel: Held<'a, K>) -> Self {
         let at_vertices = kernel.corners().map(|corner| (kernel.corner_vertex(corner), corner));
         let vertex_corners = Lists::group(kernel.vertex_count(), at_vertices);
         Grouped { kernel, vertex_corners }
@@ -51,7 +51,7 @@ impl<K: Connectivity> Connectivity for Grouped<'_, K> {
     const COSTS: Costs = Costs { vertex_star: Cost::Constant, ..K::COSTS };
 
     fn assemble(complex: &Complex) -> Self {
-        Self::of(Held::Owned(K::assemble(complex)))
+        Self::grouping(Held::Owned(K::assemble(complex)))
     }
 
     fn vertex_count(&self) -> usize {
@@ -115,7 +115,7 @@ mod tests {
     use crate::{EdgeUse, FaceTable, VertexClass, vertex_classes};
 
     #[test]
-    fn the_corners_are_those_of_the_kernel_and_only_a_linear_one_is_wrapped() {
+    fn the_corners_are_those_of_the_kernel() {
         let corners = [0, 1, 2, 0, 3, 4, 0, 4, 5, 0, 5, 3].map(VertexId).to_vec();
         let complex = Complex::of(&Arc::new(FaceTable::triangles(7, corners).unwrap()));
         let (plain, grouped) = (EdgeUse::assemble(&complex), Grouped::<EdgeUse>::assemble(&complex));
@@ -126,6 +126,6 @@ mod tests {
         let pinched = VertexClass::Pinched { umbrellas: 2, boundary_only: false };
         assert_eq!(vertex_classes(&grouped)[VertexId(0)], pinched);
         assert!(grouped.heap_bytes() > plain.heap_bytes());
-        assert!(Grouped::if_linear(&plain).is_none());
+        assert_eq!(Grouped::of(&plain).heap_bytes(), grouped.heap_bytes());
     }
 }

@@ -12,6 +12,7 @@ mod ladder;
 mod lesson;
 mod pointers;
 mod stars;
+mod task;
 
 pub use admission::{Refusal, admission};
 pub use arrays::{Array, Per};
@@ -28,3 +29,4 @@ pub use stars::{
     EdgeClass, Umbrellas, VertexClass, edge_class, irregular_vertices, is_inconsistent, is_manifold,
     umbrellas, vertex_classes,
 };
+pub use task::KernelTask;

@@ -121,7 +121,7 @@ impl Pass for Split {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        context.kernel.run_grouped(mesh.complex(), Task { options: self, mesh, context })?
+        context.kernel.run_on_all_vertices(mesh.complex(), Task { options: self, mesh, context })?
     }
 }
 

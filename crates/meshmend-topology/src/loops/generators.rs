@@ -1,6 +1,6 @@
 //! The generators of all components, and the paths that they are.
 
-use meshmend_core::{Column, Connectivity, EdgeId, Grouped, VertexId};
+use meshmend_core::{Column, Connectivity, EdgeId, KernelTask, VertexId};
 
 use super::collect;
 use super::error::GeneratorError;
@@ -47,9 +47,16 @@ pub fn generators<K: Connectivity>(
     kernel: &K,
     options: &GeneratorOptions<'_>,
 ) -> Result<Generators, GeneratorError> {
-    match Grouped::if_linear(kernel) {
-        Some(grouped) => generators_of(&grouped, options),
-        None => generators_of(kernel, options),
+    kernel.ask_of_all_vertices(Ask(options))
+}
+
+/// The generators, through whichever kernel.
+struct Ask<'a>(&'a GeneratorOptions<'a>);
+
+impl KernelTask for Ask<'_> {
+    type Output = Result<Generators, GeneratorError>;
+    fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
+        generators_of(kernel, self.0)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use meshmend_core::{Column, Connectivity, DefectKind, Grouped, PolygonMesh, vertex_classes};
+use meshmend_core::{Column, Connectivity, DefectKind, KernelTask, PolygonMesh, vertex_classes};
 
 use super::totals::SurfaceTotals;
 use super::{DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness};
@@ -24,9 +24,19 @@ pub fn topology<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> TopologyRepo
 ///
 /// *Cost*: that of [`topology`], and for shortest witnesses that of [`one_sided_loops`].
 pub fn topology_with<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: Witness) -> TopologyReport {
-    match Grouped::if_linear(kernel) {
-        Some(grouped) => all_answers(&grouped, mesh, witness),
-        None => all_answers(kernel, mesh, witness),
+    kernel.ask_of_all_vertices(AllAnswers { mesh, witness })
+}
+
+/// All questions, through whichever kernel.
+struct AllAnswers<'a> {
+    mesh: &'a PolygonMesh,
+    witness: Witness,
+}
+
+impl KernelTask for AllAnswers<'_> {
+    type Output = TopologyReport;
+    fn run<K: Connectivity>(self, kernel: &K) -> TopologyReport {
+        all_answers(kernel, self.mesh, self.witness)
     }
 }
 
