@@ -52,8 +52,11 @@ fn is_flag(argument: &Arg) -> bool {
 fn least(command: &Command, but: &Arg) -> Vec<String> {
     let mut words = vec![command.get_name().to_owned()];
     let is_in_the_way = |argument: &Arg| {
-        let mut others = command.get_arg_conflicts_with(but).into_iter().chain([but]);
-        others.any(|other| other.get_id() == argument.get_id())
+        let names = |one: &Arg, other: &Arg| {
+            command.get_arg_conflicts_with(one).iter().any(|named| named.get_id() == other.get_id())
+        };
+        // Either of two that are in each other's way may say so.
+        argument.get_id() == but.get_id() || names(but, argument) || names(argument, but)
     };
     for argument in command.get_arguments().filter(|argument| !is_in_the_way(argument)) {
         if argument.is_positional() {

@@ -112,6 +112,7 @@ fn records_are_shown_and_drawn() {
     meshmend(&["pointers", &pinched, "--kernel", "half-edge", "--at", "v0"]).fails(5, "v0 joins 2 umbrellas");
     meshmend(&["pointers", &pinched, "--permutations"]).fails(5, "v0 joins 2 umbrellas");
     meshmend(&["pointers", &cube, "--at", "v0", "-o", &cube]).fails(2, "cube.obj");
+    meshmend(&["pointers", &cube, "--all", "-o", &picture]).fails(2, "--all");
 }
 
 #[test]

@@ -38,7 +38,7 @@ pub(crate) struct Pointers {
     permutations: bool,
     /// Also draw the record on the mesh, each pointer an arrow; `-` is standard output
     #[cfg(feature = "render")]
-    #[arg(short, long, value_name = "OUT.svg", requires = "at")]
+    #[arg(short, long, value_name = "OUT.svg", requires = "at", conflicts_with_all = ["all", "permutations"])]
     output: Option<PathBuf>,
 }
 
