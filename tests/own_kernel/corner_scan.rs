@@ -15,12 +15,8 @@ pub(crate) struct Kernel {
 impl Connectivity for Kernel {
     const NAME: &'static str = "corner-scan";
     const CAPABILITIES: Capabilities = Capabilities::PERMISSIVE;
-    const COSTS: Costs = Costs {
-        edge_star: Cost::Linear,
-        vertex_star: Cost::Linear,
-        across: Cost::Linear,
-        ..Costs::CONSTANT
-    };
+    const COSTS: Costs =
+        Costs { edge_star: Cost::Linear, vertex_star: Cost::Linear, across: Cost::Linear, ..Costs::CONSTANT };
 
     fn assemble(complex: &Complex) -> Self {
         let (faces, edges) = (complex.shared_faces(), complex.edges());
