@@ -143,6 +143,11 @@ fn taken(kernel: AnyKernel, kernels: Kernels, file: String, mesh: &PolygonMesh) 
 }
 
 fn unknown(name: &str) -> String {
+    if cfg!(not(feature = "laws")) && name.starts_with("law:") {
+        return "this program was built without the laws of kernels; \
+                `cargo install --locked --path crates/meshmend-cli` builds it with everything"
+            .to_owned();
+    }
     format!("there is no kind of defect, pass, kernel, law or word `{name}`; `meshmend explain` lists them")
 }
 

@@ -11,7 +11,9 @@ use crate::failure::{Failure, Status};
 use crate::format_words;
 use crate::outputs::{Content, Files};
 use crate::render;
-use crate::streams::{InputWords, Report, name, reserve, write_with};
+#[cfg(feature = "render")]
+use crate::streams::write_with;
+use crate::streams::{InputWords, Report, name, reserve};
 use crate::words::{self, Welding};
 
 /// Show the record that stands for an element in a structure: each field with what it leads to
