@@ -128,6 +128,14 @@ pub(crate) fn write_prepared(
     Ok(written.map_err(|error| WriteError { file: OUTPUT.to_owned(), ..error })?)
 }
 
+/// Writes a text, as [`write_with`] writes.
+pub(crate) fn write_text(output: &Path, text: &str, console: &mut Console<'_>) -> Result<(), Failure> {
+    write_with(output, console, |out| {
+        out.write_all(text.as_bytes())?;
+        out.flush()
+    })
+}
+
 /// Writes something else to a file, whole or not at all, or to standard output.
 pub(crate) fn write_with(
     output: &Path,

@@ -2,10 +2,16 @@
 
 use meshmend::matrices::{Field, Prime};
 use meshmend::mesh::Cell;
+use std::path::Path;
+
 use meshmend::shapes::{NAMED_SHAPES, NamedShape};
-use meshmend::{AnyKernel, DefectKind, Distance, EdgeId, FaceId, KernelKind, Kernels, Rules, VertexId, View};
+use meshmend::{
+    AnyKernel, DefectKind, Distance, EdgeId, FaceId, KernelKind, Kernels, PolygonMesh, ReadFile, Rules,
+    VertexId, View,
+};
 
 use crate::failure::Failure;
+use crate::streams::name;
 
 /// What `--weld` can say: not to weld, or within which distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +28,16 @@ impl Welding {
             Welding::Within(distance) => View::Welded(distance),
         }
     }
+}
+
+/// How a file is looked at: as `--weld` says, else as files of its format usually are.
+pub(crate) fn view(weld: Option<Welding>, file: &ReadFile) -> View {
+    weld.map_or(View::usual_for(file.format), Welding::view)
+}
+
+/// The mesh of a file as it is looked at.
+pub(crate) fn viewed(weld: Option<Welding>, file: &ReadFile, path: &Path) -> Result<PolygonMesh, Failure> {
+    view(weld, file).of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))
 }
 
 /// Reads `none`, `off`, `exact`, `single`, a length, or a percentage of the bounding box's diagonal.

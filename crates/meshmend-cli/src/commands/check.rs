@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use meshmend::report::{CheckDocument, json};
 use meshmend::topology::Witness;
-use meshmend::{CheckOptions, CheckReport, DefectKind, View, check};
+use meshmend::{CheckOptions, CheckReport, DefectKind, check};
 
 use crate::Program;
 use crate::console::Console;
@@ -116,7 +116,7 @@ impl Check {
         progress.step(&format!("read {}", name(path)));
         let file = self.from.read(path, console)?;
         progress.step(&format!("check {}", name(path)));
-        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
+        let view = words::view(self.weld, &file);
         let report = check(&file.mesh, &asked.options.with_view(view))
             .map_err(|error| Failure::of_pass(&name(path), &error))?;
         let status = if asked.is_failing(&report) { Status::DefectsFound } else { Status::Done };

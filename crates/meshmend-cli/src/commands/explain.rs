@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use meshmend::mesh::admission;
 use meshmend::words::Word;
 use meshmend::{
-    AnyKernel, AnyView, CheckOptions, CheckReport, DefectKind, Format, Kernels, PolygonMesh, View, check,
+    AnyKernel, AnyView, CheckOptions, CheckReport, DefectKind, Format, Kernels, PolygonMesh, check,
 };
 
 use crate::Program;
@@ -87,37 +88,45 @@ impl Explain {
         console: &mut Console<'_>,
     ) -> Result<String, Failure> {
         let style = console.style();
-        if let Entry::Page(_) = entry {
-            return Err(Failure::usage(format!(
-                "`{word}` is explained without a file: no mesh has anything of it"
-            )));
-        }
-        let mesh = self.mesh(file, console)?;
-        let file = name(file);
-        let checked = |mesh: &PolygonMesh| {
-            check(mesh, &CheckOptions::default().with_rules(program.rules))
-                .map_err(|error| Failure::of_pass(&file, &error))
-        };
-        Ok(match entry {
+        let on = match entry {
+            Entry::Page(_) => {
+                return Err(Failure::usage(format!(
+                    "`{word}` is explained without a file: no mesh has anything of it"
+                )));
+            }
             Entry::Kernel(kernel) => {
-                let on = taken(*kernel, program.kernels, file, &mesh);
-                render::kernel(*kernel, Some(&on), style)
+                let mesh = self.mesh(file, console)?;
+                return Ok(render::kernel(
+                    *kernel,
+                    Some(&taken(*kernel, program.kernels, name(file), &mesh)),
+                    style,
+                ));
             }
             Entry::Defect(kind) => {
-                let report: CheckReport = checked(&mesh)?;
-                page(entry, style) + &render::defects_on(&file, *kind, &report, style)
+                let report = self.checked(file, program, console)?;
+                render::defects_on(&name(file), *kind, &report, style)
             }
             Entry::Word(word) => {
-                page(entry, style) + &render::word_on(&file, word.name, &checked(&mesh)?.topology, style)
+                let report = self.checked(file, program, console)?;
+                render::word_on(&name(file), word.name, &report.topology, style)
             }
-            Entry::Page(page) => page.clone(),
-        })
+        };
+        Ok(page(entry, style) + &on)
+    }
+
+    fn checked(
+        &self,
+        path: &Path,
+        program: &Program,
+        console: &mut Console<'_>,
+    ) -> Result<CheckReport, Failure> {
+        let options = CheckOptions::default().with_rules(program.rules);
+        check(&self.mesh(path, console)?, &options).map_err(|error| Failure::of_pass(&name(path), &error))
     }
 
     fn mesh(&self, path: &Path, console: &mut Console<'_>) -> Result<PolygonMesh, Failure> {
         let file = InputWords::of(self.from).read(path, console)?;
-        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))
+        words::viewed(self.weld, &file, path)
     }
 }
 
@@ -133,7 +142,7 @@ fn page(entry: &Entry, style: Style) -> String {
 
 /// How a kernel takes a mesh, and which others hold it.
 fn taken(kernel: AnyKernel, kernels: Kernels, file: String, mesh: &PolygonMesh) -> KernelOn {
-    let holds = |other: &AnyKernel| other.heap_bytes(mesh.complex()).is_ok();
+    let holds = |other: &AnyKernel| admission(mesh.complex(), &other.capabilities).is_empty();
     KernelOn {
         file,
         faces: mesh.complex().proper_face_count(),

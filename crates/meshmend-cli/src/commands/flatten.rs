@@ -14,7 +14,7 @@ use crate::failure::{Failure, Status};
 use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
 use crate::render;
-use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh, write_with};
+use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh, write_text};
 
 /// Lay surfaces out in the unit square, cut open where they are not discs
 ///
@@ -130,8 +130,5 @@ fn failure(file: &str, error: UnfoldError) -> Failure {
 
 fn write_picture(path: &Path, unfolded: &Unfolded, console: &mut Console<'_>) -> Result<(), Failure> {
     let text = svg(&unfolded.mesh, &unfolded.layout);
-    write_with(path, console, |out| {
-        out.write_all(text.as_bytes())?;
-        out.flush()
-    })
+    write_text(path, &text, console)
 }

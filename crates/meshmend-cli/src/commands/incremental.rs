@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use meshmend::View;
 use meshmend::report::IncrementalDocument;
 
 use super::check::json_line;
@@ -12,7 +11,7 @@ use crate::failure::{Failure, Status};
 use crate::format_words;
 use crate::outputs::{Content, Files};
 use crate::render;
-use crate::streams::{InputWords, Report, name, reserve, write_with};
+use crate::streams::{InputWords, Report, name, reserve, write_text};
 use crate::words::{self, Welding};
 
 /// Tell what each vertex, edge and face changes when they are added one after another
@@ -50,16 +49,13 @@ impl Incremental {
         progress.step(&format!("read {}", name(&self.file)));
         let file = self.from.read(&self.file, console)?;
         progress.step("add cells");
-        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
+        let view = words::view(self.weld, &file);
         let built = IncrementalDocument::new(&file.mesh, view, self.limit);
         let (document, built) = built.map_err(|error| Failure::of_pass(&name(&self.file), &error))?;
         let document = document.of_file(name(&self.file), &file);
         if let Some(path) = &self.plot {
             let picture = render::step_plot(&name(&self.file), &built);
-            write_with(path, console, |out| {
-                out.write_all(picture.as_bytes())?;
-                out.flush()
-            })?;
+            write_text(path, &picture, console)?;
         }
         drop(progress);
         let text =

@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use meshmend::mesh::Complex;
 use meshmend::report::{KernelTrial, KernelsDocument};
-use meshmend::{AnyKernel, AnyView, Format, Kernels, PolygonMesh, View};
+use meshmend::{AnyKernel, AnyView, Format, Kernels, PolygonMesh};
 
 use super::check::json_line;
 use crate::console::Console;
@@ -15,7 +15,7 @@ use crate::failure::{Failure, Status};
 use crate::format_words;
 use crate::outputs::{Content, Files};
 use crate::render::{self, Trial};
-use crate::streams::{InputWords, Report, name, reserve, write_with};
+use crate::streams::{InputWords, Report, name, reserve, write_text};
 use crate::words::{self, Welding};
 
 /// List the kernels and what each holds; with a file, what each costs for it, or why it refuses
@@ -55,8 +55,7 @@ impl KernelsCommand {
             reserve(picture, Report::of(self.json), console)?;
         }
         let file = InputWords::of(self.from).read(path, console)?;
-        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))?;
+        let mesh = words::viewed(self.weld, &file, path)?;
         drop(file);
         let text = if self.bench {
             self.bench(kernels, path, &mesh, console)?
@@ -90,10 +89,7 @@ impl KernelsCommand {
         document.file = Some(name(path));
         if let Some(path) = &self.svg {
             let bars = render::byte_bars(&document);
-            write_with(path, console, |out| {
-                out.write_all(bars.as_bytes())?;
-                out.flush()
-            })?;
+            write_text(path, &bars, console)?;
         }
         if self.json { json_line(&document) } else { Ok(render::kernel_times(&document)) }
     }

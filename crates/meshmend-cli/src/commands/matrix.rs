@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use meshmend::matrices::{Field, MatrixMarket, Operator};
 use meshmend::mesh::Cell;
 use meshmend::report::MatrixDocument;
-use meshmend::{Format, MatrixAnswers, MatrixError, MatrixQuestions, Neighbourhood, VertexId, View};
+use meshmend::{Format, MatrixAnswers, MatrixError, MatrixQuestions, Neighbourhood, VertexId};
 
 use super::check::json_line;
 use crate::console::Console;
@@ -102,13 +102,13 @@ impl Matrix {
         progress.step(&format!("read {}", name(&self.file)));
         let file = InputWords::of(self.input_format).read_told_by("--format", &self.file, console)?;
         progress.step("matrices");
-        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(&self.file), &error))?;
+        let mesh = words::viewed(self.weld, &file, &self.file)?;
         let answers = questions.ask(mesh.complex()).map_err(|error| self.failure(&error))?;
         if let Some(path) = market {
             self.write(path, &answers, console)?;
         }
-        let document = MatrixDocument::new(&mesh, view, &questions, &answers, self.limit);
+        let document =
+            MatrixDocument::new(&mesh, words::view(self.weld, &file), &questions, &answers, self.limit);
         let document = document.of_file(name(&self.file), &file);
         drop(progress);
         let text = if self.json { json_line(&document)? } else { render::matrix(&document, console.style()) };
@@ -167,7 +167,7 @@ impl Matrix {
         })
     }
 
-    /// Why there is no answer, for the mesh of the file.
+    /// The failure that says why the mesh of the file has no answer.
     fn failure(&self, error: &MatrixError) -> Failure {
         let status = match error {
             MatrixError::NoSuchCell { .. } | MatrixError::Degenerate { .. } | MatrixError::NoBoundary => {

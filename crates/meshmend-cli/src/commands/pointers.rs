@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshmend::mesh::{Cell, Connectivity, EdgeUse, Pointer};
-use meshmend::{AnyKernel, Kernels, PolygonMesh, View};
+use meshmend::{AnyKernel, Kernels, PolygonMesh};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -12,7 +12,7 @@ use crate::format_words;
 use crate::outputs::{Content, Files};
 use crate::render;
 #[cfg(feature = "render")]
-use crate::streams::write_with;
+use crate::streams::write_text;
 use crate::streams::{InputWords, Report, name, reserve};
 use crate::words::{self, Welding};
 
@@ -53,8 +53,7 @@ impl Pointers {
             reserve(path, Report::of(false), console)?;
         }
         let file = self.from.read(&self.file, console)?;
-        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
-        let mesh = view.of(&file.mesh).map_err(|error| Failure::of_pass(&name(&self.file), &error))?;
+        let mesh = words::viewed(self.weld, &file, &self.file)?;
         if self.permutations {
             let permutations = meshmend::topology::permutations(mesh.complex());
             let permutations = permutations.map_err(|refusal| self.refused(&refusal.to_string()))?;
@@ -84,15 +83,13 @@ impl Pointers {
     /// The elements whose records are wanted, all of which the mesh has.
     fn cells(&self, mesh: &PolygonMesh) -> Result<Vec<Cell>, Failure> {
         let kernel = EdgeUse::assemble(mesh.complex());
-        let vertices = kernel.vertices().map(Cell::Vertex);
-        let edges = kernel.edges().map(Cell::Edge);
-        let mut all = vertices
-            .chain(edges)
-            .chain(kernel.faces().map(Cell::Face))
-            .chain(kernel.corners().map(Cell::Corner));
         match self.at {
-            None => Ok(all.collect()),
-            Some(at) if all.any(|cell| cell == at) => Ok(vec![at]),
+            None => {
+                let vertices = kernel.vertices().map(Cell::Vertex);
+                let (edges, faces) = (kernel.edges().map(Cell::Edge), kernel.faces().map(Cell::Face));
+                Ok(vertices.chain(edges).chain(faces).chain(kernel.corners().map(Cell::Corner)).collect())
+            }
+            Some(at) if at.is_in(&kernel) => Ok(vec![at]),
             Some(at) => {
                 let counts = render::element_counts(&kernel);
                 Err(Failure::usage(format!("{} has no {at}: it has {counts}", name(&self.file))))
@@ -116,10 +113,7 @@ impl Pointers {
         let title = format!("{at} in the {kernel} structure: {}", name(&self.file));
         let picture = meshmend_render::pointer_picture(mesh, at, record, &title);
         let picture = picture.map_err(|error| Failure::usage(format!("{}: {error}", name(&self.file))))?;
-        write_with(path, console, |out| {
-            out.write_all(picture.as_bytes())?;
-            out.flush()
-        })
+        write_text(path, &picture, console)
     }
 
     #[cfg(not(feature = "render"))]

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use meshmend::PolygonMesh;
 use meshmend::mesh::counted;
-use meshmend::{PolygonMesh, View};
 use meshmend_render::{
     Camera, Fit, LoopOverlays, Outlines, Overlay, OverlayKind, Picture, Projection, RenderError, Scene, Size,
 };
@@ -142,7 +142,7 @@ impl Render {
         progress.step("read");
         let file = self.from.read(&self.input, console)?;
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
-        let view = self.weld.map_or(View::usual_for(file.format), Welding::view);
+        let view = words::view(self.weld, &file);
         let mesh = view.of(&file.mesh).map_err(failed)?;
         progress.step("draw");
         let scenes = if self.before_after {

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::{CornerId, EdgeId, FaceId, VertexId, printable};
+use crate::{Connectivity, CornerId, EdgeId, FaceId, Id, VertexId, printable};
 
 /// A cell of a complex, or a corner of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -39,6 +39,18 @@ pub enum Target {
     Hole,
     /// The field says that there is nothing: a vertex in no face has no first corner.
     Nothing,
+}
+
+impl Cell {
+    /// Whether a kernel's complex has it.
+    pub fn is_in<K: Connectivity>(self, kernel: &K) -> bool {
+        match self {
+            Cell::Vertex(vertex) => vertex.index() < kernel.vertex_count(),
+            Cell::Edge(edge) => edge.index() < kernel.edge_count(),
+            Cell::Face(face) => face.index() < kernel.face_count(),
+            Cell::Corner(corner) => corner.index() < kernel.corner_count(),
+        }
+    }
 }
 
 impl Pointer {

@@ -75,18 +75,24 @@ impl Svg {
         self.push(format_args!("#{red:02x}{green:02x}{blue:02x}"));
     }
 
-    /// A text without what XML does not allow or takes for markup.
     fn escaped(&mut self, text: &str) {
-        for character in meshmend_core::printable(text).chars() {
-            match character {
-                '<' => self.0.push_str("&lt;"),
-                '>' => self.0.push_str("&gt;"),
-                '&' => self.0.push_str("&amp;"),
-                '\u{fffe}' | '\u{ffff}' => self.0.push(char::REPLACEMENT_CHARACTER),
-                other => self.0.push(other),
-            }
+        self.0.push_str(&escaped(text));
+    }
+}
+
+/// A text without what XML does not allow or takes for markup.
+pub(crate) fn escaped(text: &str) -> String {
+    let mut safe = String::new();
+    for character in meshmend_core::printable(text).chars() {
+        match character {
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '&' => safe.push_str("&amp;"),
+            '\u{fffe}' | '\u{ffff}' => safe.push(char::REPLACEMENT_CHARACTER),
+            other => safe.push(other),
         }
     }
+    safe
 }
 
 impl Sheet for Svg {

@@ -3,12 +3,11 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use meshmend_core::{
-    Cell, Connectivity, CornerId, EdgeId, EdgeUse, FaceId, Pointer, Target, VertexId, printable,
-};
+use meshmend_core::{Cell, Connectivity, CornerId, EdgeId, EdgeUse, FaceId, Pointer, Target, VertexId};
 
 use super::flat::{Flat, Place, mirrored};
 use super::patch::Patch;
+use crate::output::svg::escaped;
 
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 600.0;
@@ -257,8 +256,4 @@ fn distance(from: Place, to: Place) -> f64 {
 fn normal(from: Place, to: Place) -> (Place, f64) {
     let length = distance(from, to);
     ([(to[1] - from[1]) / length, (from[0] - to[0]) / length], length)
-}
-
-fn escaped(text: &str) -> String {
-    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -4,7 +4,7 @@ mod drawing;
 mod flat;
 mod patch;
 
-use meshmend_core::{Cell, Connectivity, EdgeUse, Id, Pointer, PolygonMesh, Target};
+use meshmend_core::{Cell, Connectivity, EdgeUse, Pointer, PolygonMesh, Target};
 use thiserror::Error;
 
 use patch::Patch;
@@ -65,7 +65,7 @@ pub fn pointer_picture(
         Target::Cell(cell) => Some(cell),
         _ => None,
     });
-    if let Some(missing) = std::iter::once(at).chain(targets.clone()).find(|&cell| !exists(&kernel, cell)) {
+    if let Some(missing) = std::iter::once(at).chain(targets.clone()).find(|&cell| !cell.is_in(&kernel)) {
         return Err(PointerPictureError::NoSuchElement(missing));
     }
     let arrows: Vec<Pointer> =
@@ -79,15 +79,6 @@ pub fn pointer_picture(
     }
     let flat = flat::flattened(&kernel, at, &patch);
     Ok(drawing::drawing(&kernel, &patch, &flat, at, &arrows, title))
-}
-
-fn exists(kernel: &EdgeUse, cell: Cell) -> bool {
-    match cell {
-        Cell::Vertex(vertex) => vertex.index() < kernel.vertex_count(),
-        Cell::Edge(edge) => edge.index() < kernel.edge_count(),
-        Cell::Face(face) => face.index() < kernel.face_count(),
-        Cell::Corner(corner) => corner.index() < kernel.corner_count(),
-    }
 }
 
 #[cfg(test)]

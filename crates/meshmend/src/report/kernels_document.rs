@@ -49,16 +49,7 @@ pub struct KernelTrial {
 impl KernelTrial {
     /// What came of measuring a kernel on a mesh of so many proper faces.
     pub fn new(name: &'static str, faces: usize, result: &Result<KernelCost, Refusal>) -> Self {
-        let trial = KernelTrial {
-            name,
-            rung: Rung::Connectivity,
-            answers: KernelQuestion::ALL.to_vec(),
-            bytes_a_face: None,
-            arrays: Vec::new(),
-            seconds: BTreeMap::new(),
-            linear: Vec::new(),
-            refusal: None,
-        };
+        let trial = Self::unmeasured(name, Rung::Connectivity);
         match result {
             Err(refusal) => KernelTrial { refusal: Some(refusal.to_string()), ..trial },
             Ok(cost) => trial.measured(faces, cost),
@@ -67,18 +58,20 @@ impl KernelTrial {
 
     /// What came of measuring a view on a mesh of so many proper faces.
     pub fn of_view(view: &AnyView, faces: usize, cost: &KernelCost) -> Self {
-        let answers = KernelQuestion::ALL.into_iter().filter(|&question| view.answers(question));
-        let trial = KernelTrial {
-            name: view.name,
-            rung: view.rung,
-            answers: answers.collect(),
+        Self::unmeasured(view.name, view.rung).measured(faces, cost)
+    }
+
+    fn unmeasured(name: &'static str, rung: Rung) -> Self {
+        KernelTrial {
+            name,
+            rung,
+            answers: KernelQuestion::ALL.into_iter().filter(|question| question.rung() <= rung).collect(),
             bytes_a_face: None,
             arrays: Vec::new(),
             seconds: BTreeMap::new(),
             linear: Vec::new(),
             refusal: None,
-        };
-        trial.measured(faces, cost)
+        }
     }
 
     fn measured(self, faces: usize, cost: &KernelCost) -> Self {
