@@ -1,20 +1,36 @@
 //! What two meshes have in common, where numbers are the same when they are equal to the bit or both no number.
 
-use meshmend_core::{Layer, PolygonMesh};
-use meshmend_testkit::laws::{layer_entries, number_key};
+use meshmend_core::{Layer, PolygonMesh, Role, Values};
+use meshmend_testkit::laws::{Entry, layer_entries, number_key};
 
 /// The points of a mesh, comparable.
 pub(crate) fn position_keys(mesh: &PolygonMesh) -> Vec<[u64; 3]> {
     mesh.positions().iter().map(|point| point.map(number_key)).collect()
 }
 
-/// Whether two meshes have the same values under a name; elements without any value are the same as no layer.
+/// Whether two meshes have the same values under a name; elements without any value are the same as no layer, and a
+/// colour that is opaque is the same with its alpha and without.
 pub(crate) fn same_layer(one: &Layer, other: &PolygonMesh) -> bool {
     let entries = layer_entries(one);
     match other.layer(one.name(), one.domain()) {
+        Some(layer) if is_opaque(one) && layer.width() == 3 => layer_entries(layer) == without_alpha(entries),
         Some(layer) => layer_entries(layer) == entries,
         None => entries.iter().all(Option::is_none),
     }
+}
+
+/// Whether a layer has colours with an alpha that is full in each.
+fn is_opaque(layer: &Layer) -> bool {
+    let full = if matches!(layer.values(), Values::F32(_) | Values::F64(_)) { 1.0 } else { 255.0 };
+    let full = Entry::Number(number_key(full));
+    layer.role() == Role::Color
+        && layer.width() == 4
+        && layer_entries(layer).iter().flatten().all(|color| color[3] == full)
+}
+
+fn without_alpha(mut colors: Vec<Option<Vec<Entry>>>) -> Vec<Option<Vec<Entry>>> {
+    colors.iter_mut().flatten().for_each(|color| color.truncate(3));
+    colors
 }
 
 /// Panics unless a mesh is what it claims to be: every index within range, every layer as long as it has to be.
