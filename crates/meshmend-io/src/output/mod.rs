@@ -11,3 +11,4 @@ pub(crate) mod seams;
 pub(crate) mod sink;
 pub(crate) mod statements;
 pub(crate) mod texture_numbers;
+pub(crate) mod triangles;

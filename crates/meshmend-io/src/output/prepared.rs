@@ -71,6 +71,15 @@ impl Prepared {
         given.rebuilt_with_vertex_layers(&moved, draft).map(Some)
     }
 
+    /// Puts another mesh in the place of this one, and adds to the record where its elements were in this one.
+    pub(crate) fn become_mesh(&mut self, mesh: PolygonMesh, record: Provenance) {
+        let whole = match self.record.take() {
+            Some(before) => before.then(&record, self.mesh.faces(), mesh.faces()),
+            None => record,
+        };
+        (self.mesh, self.record) = (mesh, Some(whole));
+    }
+
     /// The choices of the file that the mesh comes from, if it has the format of this type.
     pub(crate) fn shape<T: Shape>(&self) -> Option<&T> {
         self.options.shell.shape()

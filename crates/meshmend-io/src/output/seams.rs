@@ -29,13 +29,10 @@ impl Prepared {
         }
         self.at_vertices.extend_from_slice(layers);
         if parts.vertices > 0 {
-            let whole = match self.record.take() {
-                Some(before) => before.then(&record, self.mesh.faces(), mesh.faces()),
-                None => record,
-            };
-            self.record = Some(whole);
+            self.become_mesh(mesh, record);
+        } else {
+            self.mesh = mesh;
         }
-        self.mesh = mesh;
         self.losses.extend(parts.loss());
         Ok(())
     }

@@ -28,7 +28,6 @@ mod read;
 mod read_binary;
 mod read_text;
 mod solid_names;
-mod triangles;
 mod usual_facets;
 mod write;
 

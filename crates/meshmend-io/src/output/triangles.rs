@@ -20,7 +20,7 @@ use crate::{Encoding, Loss, LossKind, Prepared, WriteErrorKind};
 /// If there are more triangles than a table can hold.
 ///
 /// *Cost*: that of the repair's `triangulate`, if there is such a face.
-pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
+pub(crate) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
     let mesh = prepared.mesh.clone();
     let is_polygon = |face: FaceId| mesh.faces().corner_range(face).len() > 3;
     if mesh.faces().is_all_triangles() || !mesh.faces().faces().any(is_polygon) {
@@ -40,7 +40,7 @@ pub(super) fn cut_polygons(prepared: &mut Prepared) -> Result<(), WriteErrorKind
     }
     let (found, created) = (simplifier.found, room.created);
     let (mesh, record) = mesh.rebuild(cutter.into_draft().map_err(io::Error::other)?)?;
-    (prepared.mesh, prepared.record) = (mesh, Some(record));
+    prepared.become_mesh(mesh, record);
     prepared.losses.extend(found.losses(created));
     Ok(())
 }
