@@ -83,10 +83,12 @@ fn read_and_write(format: Format, data: &[u8]) {
 /// An error says where in the file it is, or that it is about all of it, on one line of text.
 fn assert_located(error: &ReadError, data: &[u8]) {
     let lines = data.iter().filter(|b| matches!(b, b'\n' | b'\r')).count() as u64 + 1;
-    match error.place {
+    match &error.place {
         Place::File => {}
-        Place::Line(line) => assert!((1..=lines).contains(&line), "{error}: there are {lines} lines"),
-        Place::Byte(byte) => assert!(byte <= data.len() as u64, "{error}: there are {} bytes", data.len()),
+        Place::Line(line) => assert!((1..=lines).contains(line), "{error}: there are {lines} lines"),
+        Place::Byte(byte) => assert!(*byte <= data.len() as u64, "{error}: there are {} bytes", data.len()),
+        Place::Pointer(pointer) => assert!(pointer.starts_with('/'), "{error}"),
+        place => assert!(!place.to_string().is_empty(), "{error}"),
     }
     assert!(!error.to_string().contains('\n'), "{error}");
 }

@@ -86,7 +86,7 @@ impl From<ReadError> for Failure {
         let message = match place {
             Place::File => format!("{file}: {kind}"),
             Place::Line(line) => format!("{file}:{line}: {kind}"),
-            Place::Byte(byte) => format!("{file}: byte {byte}: {kind}"),
+            place => format!("{file}: {place}: {kind}"),
         };
         Failure { status: Status::Unreadable, message }
     }

@@ -6,13 +6,15 @@ use meshmend_core::DraftError;
 use serde::Serialize;
 use thiserror::Error;
 
+use crate::document::TooMuchPlaced;
 use crate::limits::{name_of_limit, too_many};
 use crate::text::one_or_many;
 use crate::{Encoding, Format};
 
 /// A place in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Place {
     /// The file as a whole.
     File,
@@ -20,6 +22,10 @@ pub enum Place {
     Line(u64),
     /// A byte, counted from 0.
     Byte(u64),
+    /// A member of a JSON text, as a JSON pointer: `/accessors/3`.
+    Pointer(String),
+    /// An entry of an archive, and what of it: `3D/3dmodel.model#object 4`.
+    Entry(String),
 }
 
 impl fmt::Display for Place {
@@ -28,6 +34,7 @@ impl fmt::Display for Place {
             Place::File => f.write_str("whole file"),
             Place::Line(line) => write!(f, "line {line}"),
             Place::Byte(byte) => write!(f, "byte {byte}"),
+            Place::Pointer(name) | Place::Entry(name) => f.write_str(name),
         }
     }
 }
@@ -131,6 +138,9 @@ pub enum WriteErrorKind {
     /// The file would hold more elements than a mesh can.
     #[error("{0}")]
     TooLarge(#[from] DraftError),
+    /// The file that was read places its meshes too often to make one of them.
+    #[error("{0}")]
+    Placed(#[from] TooMuchPlaced),
     /// The system can't write the bytes.
     #[error("{0}")]
     Io(#[from] io::Error),
@@ -213,8 +223,15 @@ mod tests {
                 DraftError::from(FaceTable::triangles(MAX_CORNERS, Vec::new()).unwrap_err()).into(),
                 "2147483648 vertices are more than the 2147483648 that a table holds",
             ),
+            (
+                TooMuchPlaced { present: 6, placed: 18_000_000 }.into(),
+                "its meshes have 6 vertices and corners, but 18000000 as often as they are placed: too many for one mesh",
+            ),
         ];
-        assert_every_variant!(cases, WriteErrorKind { UnknownFormat, NoSuchEncoding, Seams, TooLarge, Io });
+        assert_every_variant!(
+            cases,
+            WriteErrorKind { UnknownFormat, NoSuchEncoding, Seams, TooLarge, Placed, Io }
+        );
     }
 
     #[test]

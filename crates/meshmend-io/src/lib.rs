@@ -27,6 +27,7 @@
 //! [`PolygonMesh`]: meshmend_core::PolygonMesh
 
 mod binary;
+mod document;
 mod error;
 mod formats;
 mod input;
@@ -41,6 +42,9 @@ mod shell;
 mod text;
 mod write;
 
+pub use document::{
+    Document, Part, PartSource, PartStatus, Placement, Placing, PreparedDocument, TooMuchPlaced,
+};
 pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 pub use formats::encoding::Encoding;
 pub use formats::format::Format;
@@ -55,6 +59,6 @@ pub use output::held::held_layers;
 pub use output::options::{AttributePrecision, Seams, WriteOptions};
 pub use output::prepared::Prepared;
 pub use output::rounding::rounding_losses;
-pub use read::{read, read_bytes, read_stream};
+pub use read::{read, read_bytes, read_document, read_document_bytes, read_document_stream, read_stream};
 pub use shell::Shell;
-pub use write::{encode, losses, write};
+pub use write::{encode, losses, write, write_document};

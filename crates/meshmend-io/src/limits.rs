@@ -29,16 +29,37 @@ pub struct Limits {
     pub max_comments: usize,
     /// Elements and properties that the header of a PLY file declares, together; 65 536 by default.
     pub max_declarations: u64,
+    /// Bytes of the JSON text of a glTF file; 1 GiB by default.
+    pub max_json_bytes: u64,
+    /// How deep values of a JSON text lie within each other; 128 by default.
+    pub max_json_depth: u64,
+    /// Files that a file names and that are opened; 64 by default.
+    pub max_companion_files: u64,
+    /// Bytes of those files together; 1 GiB by default.
+    pub max_companion_bytes: u64,
+    /// Bytes to which the entries of an archive inflate together; 4 GiB by default.
+    pub max_inflated_bytes: u64,
+    /// Meshes of a file; 1 000 000 by default.
+    pub max_parts: u64,
+    /// Nodes of a scene, or places where objects are put; 10 000 000 by default.
+    pub max_nodes: u64,
 }
 
 /// What is limited, what one of it is called, and the name of the limit.
-const NAMES: [(&str, &str, &str); 6] = [
+const NAMES: [(&str, &str, &str); 13] = [
     ("bytes", "byte", "max_file_bytes"),
     (STREAM_BYTES, "byte from a source that does not tell its size", "max_stream_bytes"),
     ("vertices", "vertex", "max_vertices"),
     ("faces", "face", "max_faces"),
     ("corners", "corner", "max_corners"),
     (DECLARATIONS, "element or property", "max_declarations"),
+    (JSON_BYTES, "byte of JSON", "max_json_bytes"),
+    (JSON_DEPTH, "level of JSON values", "max_json_depth"),
+    (COMPANION_FILES, "named file", "max_companion_files"),
+    (COMPANION_BYTES, "byte of named files", "max_companion_bytes"),
+    (INFLATED_BYTES, "inflated byte", "max_inflated_bytes"),
+    (PARTS, "mesh", "max_parts"),
+    (NODES, "node", "max_nodes"),
 ];
 
 /// What a source of unknown size can have too much of.
@@ -46,6 +67,27 @@ pub(crate) const STREAM_BYTES: &str = "bytes from a source that does not tell it
 
 /// What the header of a PLY file can have too much of.
 pub(crate) const DECLARATIONS: &str = "elements and properties";
+
+/// What the text of a glTF file can have too much of.
+pub(crate) const JSON_BYTES: &str = "bytes of JSON";
+
+/// What else it can have too much of.
+pub(crate) const JSON_DEPTH: &str = "levels of JSON values";
+
+/// What a file can name too many of.
+pub(crate) const COMPANION_FILES: &str = "named files";
+
+/// What the named files can have too much of.
+pub(crate) const COMPANION_BYTES: &str = "bytes of named files";
+
+/// What an archive can have too much of.
+pub(crate) const INFLATED_BYTES: &str = "inflated bytes";
+
+/// What a file of several meshes can have too much of.
+pub(crate) const PARTS: &str = "meshes";
+
+/// What a scene can have too much of.
+pub(crate) const NODES: &str = "nodes";
 
 /// The name of a limit, in parentheses.
 pub(crate) fn name_of_limit(what: &str) -> String {
@@ -70,6 +112,13 @@ impl Default for Limits {
             max_corners: most,
             max_comments: 10_000,
             max_declarations: 1 << 16,
+            max_json_bytes: 1 << 30,
+            max_json_depth: 128,
+            max_companion_files: 64,
+            max_companion_bytes: 1 << 30,
+            max_inflated_bytes: 4 << 30,
+            max_parts: 1_000_000,
+            max_nodes: 10_000_000,
         }
     }
 }
@@ -95,6 +144,13 @@ with_limit! {
     with_max_corners max_corners: u64,
     with_max_comments max_comments: usize,
     with_max_declarations max_declarations: u64,
+    with_max_json_bytes max_json_bytes: u64,
+    with_max_json_depth max_json_depth: u64,
+    with_max_companion_files max_companion_files: u64,
+    with_max_companion_bytes max_companion_bytes: u64,
+    with_max_inflated_bytes max_inflated_bytes: u64,
+    with_max_parts max_parts: u64,
+    with_max_nodes max_nodes: u64,
 }
 
 impl Limits {
@@ -131,6 +187,7 @@ mod tests {
             max_corners: u64::MAX,
             max_comments: usize::MAX,
             max_declarations: u64::MAX,
+            ..Limits::default()
         };
         let bounded = endless.within_a_mesh();
         let of_a_mesh = [bounded.max_vertices, bounded.max_faces, bounded.max_corners];

@@ -76,6 +76,14 @@ pub enum LossKind {
     SeamVertices,
     /// Elements that only the format of the input holds are left out.
     Elements,
+    /// Transforms of nodes or of build items are applied to positions.
+    NodeTransforms,
+    /// Something round the meshes, such as skins, animations or cameras, is left out.
+    ScenePart,
+    /// A created corner has the property of a corner beside it.
+    CopiedProperty,
+    /// Values are kept, but laid out in another way.
+    TextLayout,
     /// Elements that are carried unchanged name vertices or faces by numbers that are out of date.
     StaleData,
 }

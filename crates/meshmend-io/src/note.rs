@@ -63,6 +63,12 @@ pub enum NoteKind {
     NormalsRecomputed,
     /// Attribute bytes of facets are colours, or may be colours.
     PerhapsColors,
+    /// A part can't be edited: it is passed through as it is.
+    SealedPart,
+    /// A part's stated bounds are not those of its positions.
+    BoundsWrong,
+    /// Numbers lie at other places than their format asks for.
+    Misaligned,
     /// A coordinate is not a finite number.
     NonFinite,
     /// The file has no vertex.
@@ -75,7 +81,7 @@ impl fmt::Display for Note {
         if self.count > 1 {
             write!(f, " ({} times)", self.count)?;
         }
-        match self.first {
+        match &self.first {
             Place::File => Ok(()),
             place if self.count > 1 => write!(f, ", first at {place}"),
             place => write!(f, ", at {place}"),

@@ -4,12 +4,14 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
+use crate::document::{Placing, TooMuchPlaced};
 use crate::formats::drivers::driver;
 use crate::formats::foreign;
+use crate::input::folder::Folder;
 use crate::input::source::{Parsed, Source};
 use crate::limits::STREAM_BYTES;
 use crate::text::speculative_parse::Pace;
-use crate::{Format, Limits, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions};
+use crate::{Document, Format, Limits, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions};
 
 /// Reads a mesh file. Its content decides on the format if it is unmistakable; else its name does.
 ///
@@ -22,6 +24,16 @@ use crate::{Format, Limits, NoteKind, Place, ReadError, ReadErrorKind, ReadFile,
 /// *Cost*: time is linear in the size of the file. A text is held in memory while it is read; of binary values, one
 /// block.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
+    whole(read_document(path, options)?, &path.display().to_string())
+}
+
+/// Reads a mesh file with all its parts (see [`read`]).
+///
+/// # Errors
+/// As [`read`].
+///
+/// *Cost*: that of [`read`].
+pub fn read_document(path: &Path, options: &ReadOptions) -> Result<Document, ReadError> {
     let (name, limits) = (path.display().to_string(), &options.limits);
     let failed = |kind| ReadError { file: name.clone(), place: Place::File, kind };
     let (mut file, announced) = open(path, limits).map_err(failed)?;
@@ -32,13 +44,15 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
         .map_err(|error| failed(ReadErrorKind::Io(error)))?;
     if bytes.len() == HEAD && announced > HEAD {
         let told = Told::of(options.format, path, &bytes, announced as u64).map_err(failed)?;
-        let head = Source { bytes: &bytes, length: announced, name: &name, pace: Pace::NONE };
+        let head = Source { bytes: &bytes, length: announced, name: &name, pace: Pace::NONE, folder: None };
         if let Some(parsed) = (driver(told.format).read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
             return told.outcome(parsed);
         }
     }
     let bytes = take_in(bytes, file, announced, Most::of(announced, limits)).map_err(failed)?;
-    read_as(&bytes, &name, path, options).map(|file| (driver(file.format).look_beside)(file, path))
+    let folder = Folder::of(path);
+    let document = read_as(&bytes, Named { name: &name, path, folder: folder.as_ref() }, options)?;
+    Ok((driver(document.format).look_beside)(document, path))
 }
 
 /// Reads a mesh from bytes. The name is used as in [`read`] to find the format, and in errors.
@@ -46,7 +60,16 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
 /// # Errors
 /// As [`read`], except for those of the system.
 pub fn read_bytes(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<ReadFile, ReadError> {
-    read_as(bytes, name, Path::new(name), options)
+    whole(read_document_bytes(bytes, name, options)?, name)
+}
+
+/// Reads a document from bytes. The name is used as in [`read`] to find the format, and in errors. Files that it names
+/// are not opened.
+///
+/// # Errors
+/// As [`read_bytes`].
+pub fn read_document_bytes(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Document, ReadError> {
+    read_as(bytes, Named { name, path: Path::new(name), folder: None }, options)
 }
 
 /// Reads a mesh from a stream, such as standard input, to its end. The name is used as in [`read`] to find the
@@ -57,27 +80,61 @@ pub fn read_bytes(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Rea
 ///
 /// *Cost*: time and memory are linear in the bytes of the stream.
 pub fn read_stream(from: impl Read, name: &str, options: &ReadOptions) -> Result<ReadFile, ReadError> {
+    whole(read_document_stream(from, name, options)?, name)
+}
+
+/// Reads a document from a stream (see [`read_stream`] and [`read_document_bytes`]).
+///
+/// # Errors
+/// As [`read`].
+///
+/// *Cost*: that of [`read_stream`].
+pub fn read_document_stream(
+    from: impl Read,
+    name: &str,
+    options: &ReadOptions,
+) -> Result<Document, ReadError> {
     let failed = |kind| ReadError { file: name.to_owned(), place: Place::File, kind };
     let bytes = take_in(Vec::new(), from, 0, Most::of(0, &options.limits)).map_err(failed)?;
-    read_as(&bytes, name, Path::new(name), options)
+    read_document_bytes(&bytes, name, options)
 }
 
 /// How many bytes of a file are read before the reader of its format takes over.
 const HEAD: usize = 1 << 16;
 
-fn read_as(bytes: &[u8], name: &str, path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
-    let limits = &options.limits;
-    let source = Source { bytes, length: bytes.len(), name, pace: Pace::of(bytes.len()) };
+/// A document as one mesh.
+fn whole(document: Document, name: &str) -> Result<ReadFile, ReadError> {
+    let failed = |reason: TooMuchPlaced| ReadError {
+        file: name.to_owned(),
+        place: Place::File,
+        kind: ReadErrorKind::Malformed(reason.to_string()),
+    };
+    document.into_mesh(Placing::Scene).map_err(failed)
+}
+
+/// What is known of bytes before they are read.
+struct Named<'a> {
+    /// What errors call them.
+    name: &'a str,
+    /// The path whose extension may tell the format.
+    path: &'a Path,
+    /// The folder in which the files that they name are looked for.
+    folder: Option<&'a Folder>,
+}
+
+fn read_as(bytes: &[u8], named: Named<'_>, options: &ReadOptions) -> Result<Document, ReadError> {
+    let (limits, Named { name, path, folder }) = (&options.limits, named);
+    let source = Source { bytes, length: bytes.len(), name, pace: Pace::of(bytes.len()), folder };
     source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
     let told = Told::of(options.format, path, bytes, bytes.len() as u64);
     let told = told.map_err(|kind| ReadError { file: name.to_owned(), place: Place::File, kind })?;
     told.outcome((driver(told.format).read)(&source, &limits.within_a_mesh()))
 }
 
-fn file_of(parsed: Parsed, format: Format) -> ReadFile {
-    let Parsed { mesh, notes, shell } = parsed;
+fn document_of(parsed: Parsed, format: Format) -> Document {
+    let Parsed { parts, notes, shell } = parsed;
     let variant = shell.encoding().map_or(format.name(), |encoding| format.variant(encoding));
-    ReadFile { mesh, format, variant, notes: notes.into_list(), shell }
+    Document { parts, format, variant, notes: notes.into_list(), shell }
 }
 
 /// The format in which content is to be read.
@@ -111,14 +168,16 @@ impl Told {
     }
 
     /// What a reader returns, with a remark if the name stands for another format.
-    fn outcome(&self, parsed: Result<Parsed, ReadError>) -> Result<ReadFile, ReadError> {
-        let Some(suffix) = &self.name_says else { return parsed.map(|parsed| file_of(parsed, self.format)) };
+    fn outcome(&self, parsed: Result<Parsed, ReadError>) -> Result<Document, ReadError> {
+        let Some(suffix) = &self.name_says else {
+            return parsed.map(|parsed| document_of(parsed, self.format));
+        };
         let format = self.format;
         let told = format!("the name ends in `{suffix}`, but the content is {format}");
         match parsed {
             Ok(mut parsed) => {
                 parsed.notes.add(NoteKind::WrongSuffix, &told, || Place::File);
-                Ok(file_of(parsed, format))
+                Ok(document_of(parsed, format))
             }
             Err(ReadError { file, place, kind: ReadErrorKind::Malformed(reason) }) => {
                 let kind = ReadErrorKind::Malformed(format!("{reason} ({told})"));

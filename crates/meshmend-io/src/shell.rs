@@ -8,7 +8,8 @@ use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::{Encoding, Format, Loss};
+use crate::document::{Document, Placement};
+use crate::{Encoding, Format, Loss, WriteErrorKind, WriteOptions};
 
 /// How a file was written: its format, its encoding, and what else its format lets a writer choose.
 ///
@@ -32,6 +33,39 @@ pub(crate) trait Shape: Any + fmt::Debug + Send + Sync {
 
     /// What the file has beside its mesh and an output won't carry.
     fn losses_in(&self, output: Output<'_>) -> Vec<Loss>;
+
+    /// Where the file puts its parts, one entry for each time that it does, in file order. `None`: each part stands
+    /// once, as it is.
+    fn placements(&self) -> Option<Vec<Placement>> {
+        None
+    }
+
+    /// The file as it was read, with the meshes that its parts have now. `None`: the format asked for is another kind
+    /// of file, or a file of this kind is made of its mesh alone.
+    fn splice(&self, _: &Document, _: &Splice<'_>) -> Option<Result<Spliced, WriteErrorKind>> {
+        None
+    }
+}
+
+/// What a file that is written from the one that was read is to be.
+#[expect(dead_code, reason = "formats of several parts ask for it")]
+pub(crate) struct Splice<'a> {
+    /// Its format.
+    pub(crate) format: Format,
+    /// How it is written.
+    pub(crate) options: &'a WriteOptions,
+}
+
+/// A file that is written from the one that was read.
+#[derive(Clone, Debug)]
+pub(crate) struct Spliced {
+    /// The file.
+    pub(crate) bytes: Vec<u8>,
+    /// What it does not carry.
+    pub(crate) losses: Vec<Loss>,
+    /// The files that must stand beside it: their names below the folder, and what is in them.
+    #[expect(dead_code, reason = "written by formats of several files")]
+    pub(crate) companions: Vec<(Vec<u8>, Vec<u8>)>,
 }
 
 /// The shape of a format without choices for a writer.
@@ -45,6 +79,20 @@ impl Shape for NoChoices {
 
     fn losses_in(&self, _: Output<'_>) -> Vec<Loss> {
         Vec::new()
+    }
+}
+
+/// The shape of a mesh that was made of all that a file places: what is lost by that.
+#[derive(Debug, PartialEq)]
+struct Scene(Vec<Loss>);
+
+impl Shape for Scene {
+    fn is_same(&self, other: &dyn Shape) -> bool {
+        other.downcast() == Some(self)
+    }
+
+    fn losses_in(&self, _: Output<'_>) -> Vec<Loss> {
+        self.0.clone()
     }
 }
 
@@ -75,6 +123,13 @@ impl Shell {
         Shell { file: Some(Arc::new(FileForm { format, encoding, shape: Box::new(shape) })) }
     }
 
+    /// The shell of one mesh of all that a file places: no file of the format can be spliced from it, and what else
+    /// the file holds is lost in every format.
+    pub(crate) fn of_scene(shell: &Shell) -> Self {
+        let Some(file) = &shell.file else { return Shell::default() };
+        Shell::of_file(file.format, file.encoding, Scene(file.shape.losses_in(Output::OfOtherFormat)))
+    }
+
     /// The format of the file, if there was one.
     pub fn format(&self) -> Option<Format> {
         self.file.as_ref().map(|file| file.format)
@@ -88,6 +143,20 @@ impl Shell {
     /// The choices of the file's writer, if the file has the format of this type.
     pub(crate) fn shape<T: Shape>(&self) -> Option<&T> {
         self.file.as_ref().and_then(|file| file.shape.downcast())
+    }
+
+    /// Where the file puts its parts.
+    pub(crate) fn placements(&self) -> Option<Vec<Placement>> {
+        self.file.as_ref().and_then(|file| file.shape.placements())
+    }
+
+    /// The file as it was read, with the meshes that its parts have now.
+    pub(crate) fn splice(
+        &self,
+        document: &Document,
+        splice: &Splice<'_>,
+    ) -> Option<Result<Spliced, WriteErrorKind>> {
+        self.file.as_ref().and_then(|file| file.shape.splice(document, splice))
     }
 
     /// What the file has beside its mesh and a file of another kind, in this folder if it is known, won't carry.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use meshmend_core::PolygonMesh;
 
-use crate::{Loss, Prepared, WriteError, WriteOptions};
+use crate::{Document, Loss, Prepared, PreparedDocument, WriteError, WriteOptions};
 
 /// Writes a mesh to a file, whole or not at all (see [`replace_file`](crate::replace_file)), and returns what the
 /// format can't carry.
@@ -18,6 +18,24 @@ use crate::{Loss, Prepared, WriteError, WriteOptions};
 pub fn write(path: &Path, mesh: &PolygonMesh, options: &WriteOptions) -> Result<Vec<Loss>, WriteError> {
     let failed = |kind| WriteError { file: path.display().to_string(), kind };
     let prepared = Prepared::new(mesh, &options.clone().for_path(path)).map_err(failed)?;
+    prepared.write(path)?;
+    Ok(prepared.losses())
+}
+
+/// Writes a document to a file, whole or not at all, and returns what the file does not carry. A file of the kind that
+/// was read keeps all that is round its meshes; in another format its parts become one mesh.
+///
+/// # Errors
+/// As [`write()`].
+///
+/// *Cost*: linear.
+pub fn write_document(
+    path: &Path,
+    document: &Document,
+    options: &WriteOptions,
+) -> Result<Vec<Loss>, WriteError> {
+    let failed = |kind| WriteError { file: path.display().to_string(), kind };
+    let prepared = PreparedDocument::new(document, &options.clone().for_path(path)).map_err(failed)?;
     prepared.write(path)?;
     Ok(prepared.losses())
 }

@@ -65,6 +65,8 @@ pub struct Layer {
     pub(crate) width: usize,
     carry: Carry,
     role: Role,
+    /// Whether whole numbers stand for fractions.
+    is_normalized: bool,
     /// How many of the first values are those of a vertex as stored, each of the vertex of its own place.
     stored_vertices: usize,
     pub(crate) values: Arc<Values>,
@@ -92,6 +94,7 @@ impl Layer {
             width,
             carry,
             role: Role::Plain,
+            is_normalized: false,
             stored_vertices,
             values: Arc::new(values),
             uses: None,
@@ -115,6 +118,11 @@ impl Layer {
     /// The layer with a role.
     pub fn with_role(self, role: Role) -> Self {
         Layer { role, ..self }
+    }
+
+    /// The layer, whose whole numbers stand for fractions from 0 or −1 to 1 or don't.
+    pub fn with_normalized(self, is_normalized: bool) -> Self {
+        Layer { is_normalized, ..self }
     }
 
     /// The layer with another pool, in which each value stands for the one at its place: the same values in another type or
@@ -152,6 +160,11 @@ impl Layer {
     /// What its values mean.
     pub fn role(&self) -> Role {
         self.role
+    }
+
+    /// Whether whole numbers stand for fractions: 255 in a byte for 1, −127 in a signed byte for −1.
+    pub fn is_normalized(&self) -> bool {
+        self.is_normalized
     }
 
     /// The pool: `width` entries a value.
@@ -246,7 +259,9 @@ impl Layer {
         let Some(values) = is_of_vertices.then(|| self.values.picked(values, self.width)).flatten() else {
             return self;
         };
-        Layer::direct(self.name, Domain::Vertex, self.width, self.carry, values).with_role(self.role)
+        Layer::direct(self.name, Domain::Vertex, self.width, self.carry, values)
+            .with_role(self.role)
+            .with_normalized(self.is_normalized)
     }
 
     /// The vertex as stored that had the value which a corner uses, if that can be told.

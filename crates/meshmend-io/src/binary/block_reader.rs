@@ -100,7 +100,7 @@ mod tests {
     }
 
     fn source(head: &[u8], length: usize) -> Source<'_> {
-        Source { bytes: head, length, name: "blocks", pace: Pace::NONE }
+        Source { bytes: head, length, name: "blocks", pace: Pace::NONE, folder: None }
     }
 
     #[test]

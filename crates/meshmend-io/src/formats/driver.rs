@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 
 use crate::input::source::{Parsed, Source};
-use crate::{Limits, Loss, Prepared, ReadError, ReadFile, WriteErrorKind};
+use crate::{Document, Limits, Loss, Prepared, ReadError, WriteErrorKind};
 
 /// What a format's reader found, or why it gave up.
 pub(crate) type ReadResult = Result<Parsed, ReadError>;
@@ -17,7 +17,7 @@ pub(crate) struct Driver {
     /// read nothing, if the format needs the whole file.
     pub(crate) read_blocks: fn(&Source<'_>, &mut dyn io::Read, &Limits) -> Option<ReadResult>,
     /// Looks for the other files that a file at this path names.
-    pub(crate) look_beside: fn(ReadFile, &Path) -> ReadFile,
+    pub(crate) look_beside: fn(Document, &Path) -> Document,
     /// Turns a mesh into one that the format can hold, and names what that loses. A mesh that fits stays as it is.
     pub(crate) prepare: fn(&mut Prepared) -> Result<(), WriteErrorKind>,
     /// Writes a mesh.
@@ -33,7 +33,7 @@ impl Driver {
     }
 
     /// For formats whose files name no others.
-    pub(crate) fn names_no_files(file: ReadFile, _: &Path) -> ReadFile {
-        file
+    pub(crate) fn names_no_files(document: Document, _: &Path) -> Document {
+        document
     }
 }

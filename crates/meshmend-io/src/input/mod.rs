@@ -1,6 +1,7 @@
 //! What readers of all formats share.
 
 pub(crate) mod assemble;
+pub(crate) mod folder;
 pub(crate) mod indices;
 pub(crate) mod notes;
 pub(crate) mod options;

@@ -63,7 +63,7 @@ mod tests {
         let statements = of(NoteKind::SkippedStatement);
         assert_eq!(statements.len(), MOST_MESSAGES + 1);
         let further = statements.iter().find(|note| note.message == "further ones of this kind").unwrap();
-        assert_eq!((further.count, further.first), (4, Place::Line(17)));
+        assert_eq!((further.count, further.first.clone()), (4, Place::Line(17)));
         assert_eq!(of(NoteKind::SurplusColumns)[0].count, 60);
         assert_eq!(of(NoteKind::SurplusColumns)[0].first, Place::Line(1));
         assert!(of(NoteKind::Empty).is_empty());

@@ -4,6 +4,8 @@ use std::io;
 
 use meshmend_core::PolygonMesh;
 
+use crate::document::{Part, PartSource, PartStatus};
+use crate::input::folder::Folder;
 use crate::input::notes::Notes;
 use crate::text::speculative_parse::Pace;
 use crate::{Place, ReadError, ReadErrorKind, Shell};
@@ -17,6 +19,9 @@ pub(crate) struct Source<'a> {
     pub(crate) name: &'a str,
     /// How far ahead of its reader a text is parsed.
     pub(crate) pace: Pace,
+    /// The folder of the file, if it was read from one.
+    #[expect(dead_code, reason = "formats that need other files ask for it")]
+    pub(crate) folder: Option<&'a Folder>,
 }
 
 impl Source<'_> {
@@ -50,7 +55,15 @@ impl Source<'_> {
 
 /// What a format's reader found.
 pub(crate) struct Parsed {
-    pub(crate) mesh: PolygonMesh,
+    pub(crate) parts: Vec<Part>,
     pub(crate) notes: Notes,
     pub(crate) shell: Shell,
+}
+
+impl Parsed {
+    /// What the reader of a format of one mesh found.
+    pub(crate) fn whole(mesh: PolygonMesh, notes: Notes, shell: Shell) -> Self {
+        let (source, status) = (PartSource::Whole, PartStatus::Editable);
+        Parsed { parts: vec![Part { name: Vec::new(), source, mesh, status }], notes, shell }
+    }
 }

@@ -102,7 +102,7 @@ fn a_texture_or_normal_index_that_does_not_exist_is_noted_and_the_face_is_whole(
     let file = read(format!("{TRIANGLE}vt 0 0\nf 1/1/1 2/2 3/0\nf 1/-2 2/99999999999999999999 3\n"));
     assert_eq!(faces(&file.mesh).len(), 2);
     let out_of_range = note(&file, NoteKind::AttributeOutOfRange);
-    assert_eq!((out_of_range.count, out_of_range.first), (5, Place::Line(5)));
+    assert_eq!((out_of_range.count, out_of_range.first.clone()), (5, Place::Line(5)));
     let texcoord = layer(&file.mesh, "texcoord", Domain::Corner);
     let uses: Vec<Option<usize>> = (0..6).map(|corner| texcoord.value_of(corner)).collect();
     assert_eq!(uses, [Some(0), None, None, None, None, None]);
@@ -206,7 +206,7 @@ fn values_that_no_corner_uses_are_named_as_losses() {
 #[test]
 fn unknown_statements_are_skipped_and_counted() {
     let file = read(format!("{TRIANGLE}curv 1 2\ncsh touch x\ncsh touch y\nf 1 2 3\n"));
-    let skipped: Vec<(u64, Place)> = file.notes.iter().map(|note| (note.count, note.first)).collect();
+    let skipped: Vec<(u64, Place)> = file.notes.iter().map(|note| (note.count, note.first.clone())).collect();
     assert_eq!(skipped, [(2, Place::Line(5)), (1, Place::Line(4))]);
     assert!(file.notes[0].to_string().contains("`csh`"), "{}", file.notes[0]);
 }
@@ -247,7 +247,8 @@ fn of_several_wrong_vertex_indices_the_highest_is_named_where_it_stands_first() 
 #[test]
 fn numbers_beyond_those_that_are_understood_are_noted() {
     let file = read("v 0 0 0 1 1\nv 1 0 0\nv 0 1 0\nvt 0.5 0.25 0.125 9\nvn 0 0 1 9\nf 1/1/1 2/1/1 3/1/1\n");
-    let places: Vec<(Place, &str)> = file.notes.iter().map(|note| (note.first, &note.message[..])).collect();
+    let places: Vec<(Place, &str)> =
+        file.notes.iter().map(|note| (note.first.clone(), &note.message[..])).collect();
     assert_eq!(
         places,
         [

@@ -94,7 +94,7 @@ fn names_that_no_element_has_are_noted_where_the_first_stands() {
     for (text, count, line) in cases {
         let file = read(format!("{TRIANGLE}{text}"));
         let unused = note(&file, NoteKind::UnusedName);
-        assert_eq!((unused.count, unused.first), (count, Place::Line(line)), "{text}");
+        assert_eq!((unused.count, unused.first.clone()), (count, Place::Line(line)), "{text}");
     }
     let file = read(format!("{TRIANGLE}o A\nf 1 2 3\no B\nl 1 2\no\ns off\n"));
     assert_eq!(file.notes, []);
@@ -105,7 +105,7 @@ fn names_that_no_element_has_are_noted_where_the_first_stands() {
 fn lines_that_are_none_are_noted() {
     let file = read(format!("{TRIANGLE}l 1\nl\nl 1 2\n"));
     let skipped = note(&file, NoteKind::SkippedElement);
-    assert_eq!((skipped.count, skipped.first), (2, Place::Line(4)));
+    assert_eq!((skipped.count, skipped.first.clone()), (2, Place::Line(4)));
     assert_eq!(file.mesh.loose_edges(), [[VertexId(0), VertexId(1)]]);
 }
 

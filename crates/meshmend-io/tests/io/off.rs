@@ -183,7 +183,7 @@ fn wrong_rows_are_refused_with_their_line() {
 fn surplus_is_noted() {
     let file = read("OFF\n2 1 0\n0 0 0 7\n1 0 0\n2 0 1\n3 0 0 1\nend\n");
     let lines = note(&file, NoteKind::SurplusData);
-    assert_eq!((lines.count, lines.first), (2, Place::Line(6)));
+    assert_eq!((lines.count, lines.first.clone()), (2, Place::Line(6)));
     assert_eq!(note(&file, NoteKind::SurplusColumns).first, Place::Line(3));
 }
 

@@ -62,7 +62,7 @@ fn rows_that_are_wrapped_evenly_are_read_and_noted() {
         let file = read("", body);
         assert_is_the_triangle(&file, body);
         let wrapped = note(&file, NoteKind::WrappedRows);
-        assert_eq!((wrapped.count, wrapped.first), (count, Place::Line(first)), "{body:?}");
+        assert_eq!((wrapped.count, wrapped.first.clone()), (count, Place::Line(first)), "{body:?}");
         assert_eq!(file.notes.len(), 1, "{body:?}");
     }
 }

@@ -87,7 +87,7 @@ fn a_few_surplus_bytes_are_noted_also_after_a_header_like_text() {
         bytes.extend([0; 3]);
         let file = read(bytes);
         let surplus = note(&file, NoteKind::SurplusData);
-        assert_eq!((surplus.count, surplus.first, file.variant), (3, Place::Byte(184), "stl-binary"));
+        assert_eq!((surplus.count, surplus.first.clone(), file.variant), (3, Place::Byte(184), "stl-binary"));
     }
 }
 

@@ -192,7 +192,7 @@ fn stored_normals_that_point_elsewhere_are_noted() {
     ];
     let file = read(binary(b"", &facets));
     let noted = note(&file, NoteKind::NormalsRecomputed);
-    assert_eq!((noted.count, noted.first), (2, Place::Byte(84 + 4 * 50)));
+    assert_eq!((noted.count, noted.first.clone()), (2, Place::Byte(84 + 4 * 50)));
     let text: String = facets
         .iter()
         .map(|(normal, _)| FACET.replace("0 0 1", &normal.map(|x| format!("{x:e}")).join(" ")))
@@ -201,7 +201,7 @@ fn stored_normals_that_point_elsewhere_are_noted() {
     for text in [text.clone(), text.replace("outer loop\n", "outer\nloop "), text.to_ascii_uppercase()] {
         let file = read(format!("solid\n{text}endsolid\n"));
         let noted = note(&file, NoteKind::NormalsRecomputed);
-        assert_eq!((noted.count, noted.first), (2, Place::Line(2 + 4 * 7)), "{text}");
+        assert_eq!((noted.count, noted.first.clone()), (2, Place::Line(2 + 4 * 7)), "{text}");
     }
     let sound = read(solid("x"));
     assert_eq!(count_of(&sound, NoteKind::NormalsRecomputed), 0);

@@ -5,10 +5,10 @@
 
 use std::fs::{self, File};
 use std::io::{self, Read};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use crate::formats::obj::library::images;
-use crate::paths::folder_of;
+use crate::input::folder::{Folder, Lead, below};
 use crate::shell::Output;
 use crate::text::{self, words};
 use crate::{Loss, LossKind, Note, NoteKind, Place};
@@ -44,33 +44,27 @@ pub(super) fn look_for(libraries: &[&[u8]], path: &Path) -> Found {
     if libraries.is_empty() {
         return none;
     }
-    let Ok(folder) = fs::canonicalize(folder_of(path)) else { return none };
+    let Some(folder) = Folder::of(path) else { return none };
     let mut search = Search { folder, names: Vec::new(), notes: Vec::new(), looked: 0 };
     libraries.iter().for_each(|statement| search.libraries(statement));
     let Search { folder, names, notes, .. } = search;
+    let folder = folder.into_path();
     let companions = (!names.is_empty()).then_some(Companions { folder, names });
     Found { companions, notes }
 }
 
 /// A search for the files that a mesh file names.
 struct Search {
-    folder: PathBuf,
+    folder: Folder,
     names: Vec<Vec<u8>>,
     notes: Vec<Note>,
     looked: usize,
 }
 
-/// What a name leads to.
-enum Lead {
-    There(PathBuf),
-    Missing,
-    Outside,
-}
-
 impl Search {
     /// Looks for the libraries of one statement: the whole statement if it is the name of a file, else each word.
     fn libraries(&mut self, statement: &[u8]) {
-        let is_whole = matches!(self.find(statement), Lead::There(_));
+        let is_whole = matches!(self.folder.find(statement), Lead::There(_));
         let names: Vec<&[u8]> = if is_whole { vec![statement] } else { words(statement).collect() };
         for name in names {
             if let Some(path) = self.companion("material library", name) {
@@ -88,7 +82,7 @@ impl Search {
     /// Looks for an image. Its name can be read in two ways; the one that leads to a file is right.
     fn image(&mut self, [whole, last]: &[&[u8]; 2]) {
         let is_last =
-            !matches!(self.find(whole), Lead::There(_)) && matches!(self.find(last), Lead::There(_));
+            !matches!(self.folder.find(whole), Lead::There(_)) && matches!(self.folder.find(last), Lead::There(_));
         self.companion("image", if is_last { last } else { whole });
     }
 
@@ -99,7 +93,7 @@ impl Search {
         }
         self.looked += 1;
         let shown = text::shown(name);
-        let (kind, message) = match self.find(name) {
+        let (kind, message) = match self.folder.find(name) {
             Lead::There(path) => {
                 self.names.push(name.to_vec());
                 return Some(path);
@@ -120,32 +114,6 @@ impl Search {
             self.notes.push(Note { kind, count: 1, first: Place::File, message });
         }
     }
-
-    fn find(&self, name: &[u8]) -> Lead {
-        let Some(path) = within(name) else { return Lead::Outside };
-        match fs::canonicalize(self.folder.join(path)) {
-            Err(_) => Lead::Missing,
-            Ok(path) if !path.starts_with(&self.folder) => Lead::Outside,
-            Ok(path) if path.is_file() => Lead::There(path),
-            Ok(_) => Lead::Missing,
-        }
-    }
-}
-
-/// A name as a path below a folder, or `None` if it leads out of the folder. `\` separates folders as `/` does.
-fn within(name: &[u8]) -> Option<PathBuf> {
-    let name = String::from_utf8_lossy(name).replace('\\', "/");
-    let path = PathBuf::from(name);
-    let mut depth = 0_usize;
-    for component in path.components() {
-        match component {
-            Component::Normal(_) => depth += 1,
-            Component::CurDir => {}
-            Component::ParentDir => depth = depth.checked_sub(1)?,
-            Component::RootDir | Component::Prefix(_) => return None,
-        }
-    }
-    (depth > 0).then_some(path)
 }
 
 fn read_start(path: &Path) -> io::Result<Vec<u8>> {
@@ -181,7 +149,7 @@ pub(super) fn loss(companions: &Companions, output: Output<'_>) -> Option<Loss> 
 impl Companions {
     /// Whether a folder has the same file under the same name.
     fn is_in(&self, folder: &Path, name: &[u8]) -> bool {
-        let (Ok(folder), Some(path)) = (fs::canonicalize(folder), within(name)) else { return false };
+        let (Ok(folder), Some(path)) = (fs::canonicalize(folder), below(name)) else { return false };
         folder == self.folder || same_content(&self.folder.join(&path), &folder.join(&path)).unwrap_or(false)
     }
 }

@@ -22,7 +22,7 @@ impl Reader<'_> {
         let source = self.source;
         let (mesh, notes) = self.parts.assemble(source, 1, |at| source.line(at))?;
         let shell = Shell::of_file(Format::Obj, Encoding::Ascii, shape);
-        Ok(Parsed { mesh, notes, shell })
+        Ok(Parsed::whole(mesh, notes, shell))
     }
 
     fn name_layers(&mut self) {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::formats::obj::companions::{self, Companions};
 use crate::shell::{Output, Shape};
-use crate::{Loss, Prepared, ReadFile, Shell};
+use crate::{Document, Loss, Prepared, Shell};
 
 /// What an OBJ file's writer chose, and which other files the file names.
 #[derive(Debug, Default, PartialEq)]
@@ -37,18 +37,19 @@ impl Shape for ObjShape {
     }
 }
 
-/// A file that was read from a path, with notes about the files that it names.
+/// A document that was read from a path, with notes about the files that it names.
 ///
 /// *Cost*: constant for a file that names none; else that of reading its libraries.
-pub(super) fn look_beside(mut file: ReadFile, path: &Path) -> ReadFile {
-    let statements = file.mesh.metadata().iter().filter(|statement| statement.key == "mtllib");
+pub(super) fn look_beside(mut document: Document, path: &Path) -> Document {
+    let statements = document.parts.iter().flat_map(|part| part.mesh.metadata());
+    let statements = statements.filter(|statement| statement.key == "mtllib");
     let libraries: Vec<&[u8]> = statements.map(|statement| &statement.value[..]).collect();
     let found = companions::look_for(&libraries, path);
-    file.notes.extend(found.notes);
-    file.notes.sort_by_key(|note| note.kind);
-    if let (companions @ Some(_), Some(encoding)) = (found.companions, file.shell.encoding()) {
-        let has_alpha = file.shell.shape().is_some_and(|shape: &ObjShape| shape.has_alpha);
-        file.shell = Shell::of_file(file.format, encoding, ObjShape { has_alpha, companions });
+    document.notes.extend(found.notes);
+    document.notes.sort_by_key(|note| note.kind);
+    if let (companions @ Some(_), Some(encoding)) = (found.companions, document.shell.encoding()) {
+        let has_alpha = document.shell.shape().is_some_and(|shape: &ObjShape| shape.has_alpha);
+        document.shell = Shell::of_file(document.format, encoding, ObjShape { has_alpha, companions });
     }
-    file
+    document
 }

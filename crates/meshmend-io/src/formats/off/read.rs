@@ -51,7 +51,7 @@ impl Reader<'_> {
         let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
         let shape = OffShape { letters: self.letters.to_vec() };
         let shell = Shell::of_file(Format::Off, Encoding::Ascii, shape);
-        Ok(Parsed { mesh, notes, shell })
+        Ok(Parsed::whole(mesh, notes, shell))
     }
 
     /// Whether the next word is the first of its line.

@@ -256,7 +256,7 @@ impl<'a> Reader<'a> {
             Form::BigEndian => Encoding::BigEndian,
         };
         let shell = Shell::of_file(Format::Ply, encoding, PlyShape::new(header, tables, &mesh));
-        Ok(Parsed { mesh, notes, shell })
+        Ok(Parsed::whole(mesh, notes, shell))
     }
 }
 

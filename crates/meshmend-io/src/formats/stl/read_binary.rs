@@ -51,7 +51,7 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
     }
     let (mesh, notes) = parts.assemble(source, 0, |at| Place::Byte(at as u64))?;
     let shell = Shell::of_file(Format::Stl, Encoding::LittleEndian, NoChoices);
-    Ok(Parsed { mesh, notes, shell })
+    Ok(Parsed::whole(mesh, notes, shell))
 }
 
 /// The number of facets, or an error if the length of the file does not fit it.

@@ -202,7 +202,7 @@ impl<'a> Reader<'a> {
         self.recomputed.note(&mut self.parts.notes, |at| source.line(at));
         let (mesh, notes) = self.parts.assemble(source, 0, |at| source.line(at))?;
         let shell = Shell::of_file(Format::Stl, Encoding::Ascii, NoChoices);
-        Ok(Parsed { mesh, notes, shell })
+        Ok(Parsed::whole(mesh, notes, shell))
     }
 
     /// Forgets solids without a facet. A single solid is kept: it is that of the file.

@@ -37,7 +37,7 @@ fn read(source: &Source<'_>, limits: &Limits) -> ReadResult {
         source.limited("corners", parts.faces.corner_count() as u64, limits.max_corners)?;
     }
     let (mesh, notes) = parts.assemble(source, 0, |at| source.line(at))?;
-    Ok(Parsed { mesh, notes, shell: Shell::of_file(Format::Toy, Encoding::Ascii, NoChoices) })
+    Ok(Parsed::whole(mesh, notes, Shell::of_file(Format::Toy, Encoding::Ascii, NoChoices)))
 }
 
 /// Takes a row in, and returns where the next one begins.

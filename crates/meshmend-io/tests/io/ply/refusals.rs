@@ -15,12 +15,12 @@ fn a_negative_index_is_refused_in_strips_too_unless_it_restarts_them() {
 fn surplus_is_noted() {
     let file = read(ascii(&format!("element vertex 1\n{XYZ}"), "1 2 3\n 4 5\n"));
     let surplus = note(&file, NoteKind::SurplusData);
-    assert_eq!((surplus.count, surplus.first), (3, Place::Line(9)));
+    assert_eq!((surplus.count, surplus.first.clone()), (3, Place::Line(9)));
     let (whole, _) = written(&file.mesh, Format::Ply, Encoding::BigEndian);
     assert_eq!(read(&whole).notes, []);
     let file = read([&whole[..], &[0; 5]].concat());
     let surplus = note(&file, NoteKind::SurplusData);
-    assert_eq!((surplus.count, surplus.first), (5, Place::Byte(whole.len() as u64)));
+    assert_eq!((surplus.count, surplus.first.clone()), (5, Place::Byte(whole.len() as u64)));
 }
 
 #[test]

@@ -23,10 +23,10 @@ const ODDITIES: [Oddity; 5] = [
 
 /// The result of a reader, down to the bits of each number.
 fn outcome(format: Format, text: &str, pace: Pace, limits: &Limits) -> String {
-    let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace };
+    let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace, folder: None };
     match (driver(format).read)(&source, limits) {
         Ok(parsed) => {
-            format!("{:?} {:?} {:?}", parsed.mesh, parsed.shell.encoding(), parsed.notes.into_list())
+            format!("{:?} {:?} {:?}", parsed.parts[0].mesh, parsed.shell.encoding(), parsed.notes.into_list())
         }
         Err(error) => format!("{error:?}"),
     }
@@ -47,10 +47,11 @@ fn assert_as_alone(format: Format, text: &str, chunks: &[usize]) {
 /// The usual limits, and for each count what a text has, and one less.
 fn limits_of(format: Format, text: &str) -> Vec<Limits> {
     let usual = Limits::default();
-    let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace: Pace::NONE };
+    let source =
+        Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace: Pace::NONE, folder: None };
     let Ok(parsed) = (driver(format).read)(&source, &usual) else { return vec![usual] };
-    let counts = parsed.mesh.counts();
-    let corners = parsed.mesh.faces().corner_count() as u64;
+    let counts = parsed.parts[0].mesh.counts();
+    let corners = parsed.parts[0].mesh.faces().corner_count() as u64;
     let [vertices, faces] = [counts.vertices, counts.faces].map(|count| count as u64);
     let exact = Limits { max_vertices: vertices, max_faces: faces, max_corners: corners, ..usual };
     let limits = [

@@ -1,0 +1,114 @@
+//! A file as a whole: its meshes, and what is round them.
+//!
+//! A file of OBJ, PLY, STL or OFF is one mesh. One of glTF or 3MF has several, and much that is no mesh. A document
+//! holds each mesh as a part, in its own space; its [shell](crate::Shell) holds the rest.
+
+mod merged_layers;
+mod placed;
+mod placement;
+mod prepared;
+
+use std::sync::Arc;
+
+use meshmend_core::PolygonMesh;
+
+pub use self::placed::TooMuchPlaced;
+pub use self::placement::{Placement, Placing};
+pub use self::prepared::PreparedDocument;
+use crate::{Format, Note, ReadFile, Shell};
+
+/// A file as a whole.
+///
+/// ```
+/// use meshmend_io::{ReadOptions, read_document_bytes};
+///
+/// let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+/// let document = read_document_bytes(text, "triangle.obj", &ReadOptions::default())?;
+/// assert_eq!(document.parts.len(), 1);
+/// assert_eq!(document.parts[0].mesh.counts().faces, 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Document {
+    /// Its meshes, in file order.
+    pub parts: Vec<Part>,
+    /// The format of the file.
+    pub format: Format,
+    /// The format together with the encoding, such as `ply-le` (see [`Format::variant`]).
+    pub variant: &'static str,
+    /// What of the file the parts lack, or hold in another way; sorted by kind.
+    pub notes: Vec<Note>,
+    /// How the file was written, and what is in it beside its meshes.
+    pub shell: Shell,
+}
+
+/// One mesh of a file.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Its name in the file; empty if it has none.
+    pub name: Vec<u8>,
+    /// What of the file it is.
+    pub source: PartSource,
+    /// The mesh, in its own space.
+    pub mesh: PolygonMesh,
+    /// Whether it can be edited.
+    pub status: PartStatus,
+}
+
+/// What of a file a part is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PartSource {
+    /// All of it.
+    Whole,
+    /// A mesh of a glTF file, by its index.
+    GltfMesh(u32),
+    /// An object of a 3MF file, by the model part that it is in and its id there.
+    ThreeMfObject {
+        /// The name of the model part in the package.
+        entry: Arc<str>,
+        /// The id.
+        id: u32,
+    },
+}
+
+/// Whether a part can be edited.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PartStatus {
+    /// It can.
+    Editable,
+    /// It is passed through as it is, for this reason.
+    Sealed(String),
+}
+
+impl Part {
+    /// Why it can't be edited, if it can't.
+    pub fn seal(&self) -> Option<&str> {
+        match &self.status {
+            PartStatus::Editable => None,
+            PartStatus::Sealed(reason) => Some(reason),
+        }
+    }
+}
+
+impl Document {
+    /// This document with another mesh in a part. A part that does not exist is left out.
+    pub fn with_mesh(mut self, part: usize, mesh: PolygonMesh) -> Self {
+        if let Some(part) = self.parts.get_mut(part) {
+            part.mesh = mesh;
+        }
+        self
+    }
+
+    /// One mesh of all parts that could be read, with the attributes that make sense there: joints, weights, morph
+    /// targets and the names of the file's rows are left out.
+    ///
+    /// # Errors
+    /// If the file places its parts so often that the mesh would be out of proportion to it.
+    ///
+    /// *Cost*: constant for a file of one mesh, else linear in the result.
+    pub fn into_mesh(self, placing: Placing) -> Result<ReadFile, TooMuchPlaced> {
+        placed::file_of(self, placing)
+    }
+}

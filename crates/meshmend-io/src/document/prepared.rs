@@ -1,0 +1,107 @@
+//! A document that is ready to be written.
+
+use std::io;
+use std::path::Path;
+
+use crate::document::Placing;
+use crate::shell::{Splice, Spliced};
+use crate::{
+    Document, Encoding, Format, Loss, Prepared, WriteError, WriteErrorKind, WriteOptions, replace_file,
+};
+
+/// A document as a file will hold it, ready to be written.
+#[derive(Clone, Debug)]
+pub struct PreparedDocument {
+    format: Format,
+    encoding: Encoding,
+    content: Content,
+}
+
+#[derive(Clone, Debug)]
+enum Content {
+    /// The file as it was read, with what changed.
+    Spliced(Spliced),
+    /// A new file of one mesh.
+    New(Box<Prepared>),
+}
+
+impl PreparedDocument {
+    /// Makes a document ready. The options must name a format. A file of the kind that was read keeps all that is
+    /// round its meshes; in another format its parts become one mesh, placed as the options say.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`].
+    ///
+    /// *Cost*: linear in the document, unless it has one mesh.
+    pub fn new(document: &Document, options: &WriteOptions) -> Result<Self, WriteErrorKind> {
+        PreparedDocument::placed(document, options, Placing::default())
+    }
+
+    /// The same, with a choice of how parts become one mesh in another format.
+    ///
+    /// # Errors
+    /// As [`PreparedDocument::new`].
+    pub fn placed(
+        document: &Document,
+        options: &WriteOptions,
+        placing: Placing,
+    ) -> Result<Self, WriteErrorKind> {
+        let (format, encoding) = options.resolved()?;
+        if let Some(spliced) = document.shell.splice(document, &Splice { format, options }) {
+            return Ok(PreparedDocument { format, encoding, content: Content::Spliced(spliced?) });
+        }
+        let file = document.clone().into_mesh(placing)?;
+        let prepared = Prepared::new(&file.mesh, &options.clone().as_read(&file))?;
+        Ok(PreparedDocument { format, encoding, content: Content::New(Box::new(prepared)) })
+    }
+
+    /// The format in which it will be written.
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
+    /// The encoding in which it will be written.
+    pub fn encoding(&self) -> Encoding {
+        self.encoding
+    }
+
+    /// What the file won't carry.
+    ///
+    /// *Cost*: that of [`Prepared::losses`].
+    pub fn losses(&self) -> Vec<Loss> {
+        match &self.content {
+            Content::Spliced(spliced) => spliced.losses.clone(),
+            Content::New(prepared) => prepared.losses(),
+        }
+    }
+
+    /// Writes it to a file, whole or not at all (see [`replace_file`]).
+    ///
+    /// # Errors
+    /// As [`Prepared::write`].
+    pub fn write(&self, path: &Path) -> Result<(), WriteError> {
+        match &self.content {
+            Content::Spliced(spliced) => {
+                let failed =
+                    |error| WriteError { file: path.display().to_string(), kind: WriteErrorKind::Io(error) };
+                replace_file(path, |out| out.write_all(&spliced.bytes)).map_err(failed)
+            }
+            Content::New(prepared) => prepared.write(path),
+        }
+    }
+
+    /// Writes it to any sink.
+    ///
+    /// # Errors
+    /// As [`Prepared::encode`].
+    pub fn encode(&self, out: &mut dyn io::Write) -> Result<(), WriteError> {
+        match &self.content {
+            Content::Spliced(spliced) => {
+                let failed =
+                    |error| WriteError { file: "output".to_owned(), kind: WriteErrorKind::Io(error) };
+                out.write_all(&spliced.bytes).map_err(failed)
+            }
+            Content::New(prepared) => prepared.encode(out),
+        }
+    }
+}
