@@ -26,7 +26,7 @@ fn the_reader_refuses_what_it_has_to_and_says_where() {
         let wrong = match (&result, entry.verdict()) {
             (Ok(_), Some("either")) => None,
             (Ok(_), _) => Some("was read".to_owned()),
-            (Err(error), _) => match (&error.kind, error.place) {
+            (Err(error), _) => match (&error.kind, &error.place) {
                 (ReadErrorKind::Malformed(reason), Place::File) => Some(format!("has no place: {reason}")),
                 (ReadErrorKind::Malformed(_), _) => None,
                 // What surely is something else, such as UTF-16, is refused as that.
