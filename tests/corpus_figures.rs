@@ -181,7 +181,7 @@ fn report(mesh: &PolygonMesh) -> TopologyReport {
 
 fn welded(mesh: &PolygonMesh, distance: Distance) -> PolygonMesh {
     // The pass by itself: a repair would leave a mesh without faces as it is.
-    Weld { distance }.apply(mesh, &Context::default()).unwrap().mesh
+    Weld::within(distance).apply(mesh, &Context::default()).unwrap().mesh
 }
 
 /// Every readable file in a view that the manifest has.

@@ -267,7 +267,7 @@ fn any_plan(u: &mut Unstructured<'_>) -> Result<Plan> {
     let loose = [LooseElements::Remove, LooseElements::Keep];
     Ok(Plan {
         passes,
-        weld: Weld { distance },
+        weld: Weld::within(distance),
         clean: Clean {
             non_finite: *u.choose(&[NonFinite::Drop, NonFinite::Keep, NonFinite::Fail])?,
             ..Clean::default()

@@ -304,7 +304,7 @@ mod tests {
                 Content::Soup => Distance::Exact,
                 _ => Distance::Absolute(JITTER),
             };
-            let welded = Weld { distance }.apply(&input.mesh().unwrap(), &Context::default()).unwrap();
+            let welded = Weld::within(distance).apply(&input.mesh().unwrap(), &Context::default()).unwrap();
             assert_eq!(welded.mesh.counts().vertices as u64, input.known().mended_vertices, "{input:?}");
         }
     }

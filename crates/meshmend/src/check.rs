@@ -6,7 +6,7 @@ use std::iter;
 use meshmend_core::{
     Defect, DefectKind, Defects, Found, Listed, PolygonMesh, Rules, Severity, Sources, VertexId,
 };
-use meshmend_geometry::coincident::Coincidence;
+use meshmend_geometry::coincident::{Coincidence, equal_in_pose};
 use meshmend_repair::{Distance, PassError, Session, Weld};
 use meshmend_topology::{TopologyReport, Witness};
 use serde::Serialize;
@@ -79,6 +79,9 @@ pub struct CheckReport {
     /// How many vertices would be joined to others in single precision, beyond those at the same position. Vertices
     /// at the same position are defects of their own; in a view welded within a distance this is 0.
     pub joined_in_single: u64,
+    /// How many vertices are at the position of a lower one and yet apart from all such: morph targets or joints move
+    /// them differently.
+    pub apart_in_pose: u64,
     /// The vertices that exact welding would join to a lower one; empty if the view is welded.
     coincident: Vec<(VertexId, VertexId)>,
     rules: Rules,
@@ -151,7 +154,7 @@ pub fn check_in(session: &mut Session<'_>, view: View, rules: Rules) -> Result<C
 /// The mesh of a session that has just begun, in a view, and of each of its vertices the stored one.
 fn viewed(session: &mut Session<'_>, view: View) -> Result<(PolygonMesh, Sources<VertexId>), PassError> {
     if let Some(distance) = view.distance() {
-        session.apply(Weld { distance })?;
+        session.apply(Weld::within(distance))?;
     }
     Ok((session.mesh().clone(), session.provenance().vertices.clone()))
 }
@@ -180,10 +183,16 @@ impl CheckReport {
         rules: Rules,
         kernels: Kernels,
     ) -> Self {
-        let (mut coincident, mut joined_in_single) = (Vec::new(), 0);
+        let (mut coincident, mut joined_in_single, mut apart_in_pose) = (Vec::new(), 0, 0);
         if matches!(view, View::Indexed | View::Welded(Distance::Exact)) {
             let Coincidence { exactly, only_in_single } = Coincidence::of(mesh.positions());
-            let joined = (0..).map(VertexId).zip(exactly).filter(|(vertex, lowest)| vertex != lowest);
+            let joined = |lowest: &[VertexId]| {
+                lowest.iter().enumerate().filter(|(v, low)| low.0 as usize != *v).count()
+            };
+            let at_one_position = joined(&exactly);
+            let in_one_pose = equal_in_pose(&mesh, exactly);
+            apart_in_pose = (at_one_position - joined(&in_one_pose)) as u64;
+            let joined = (0..).map(VertexId).zip(in_one_pose).filter(|(vertex, lowest)| vertex != lowest);
             coincident.extend(joined.filter(|_| view == View::Indexed));
             joined_in_single = only_in_single as u64;
         }
@@ -196,6 +205,7 @@ impl CheckReport {
             topology,
             kernels: Vec::new(),
             joined_in_single,
+            apart_in_pose,
             coincident,
             rules,
             asked: Vec::new(),

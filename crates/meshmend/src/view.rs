@@ -43,7 +43,7 @@ impl View {
     pub fn of(self, mesh: &PolygonMesh) -> Result<PolygonMesh, PassError> {
         match self {
             View::Indexed => Ok(mesh.clone()),
-            View::Welded(distance) => Ok(Weld { distance }.apply(mesh, &Context::default())?.mesh),
+            View::Welded(distance) => Ok(Weld::within(distance).apply(mesh, &Context::default())?.mesh),
         }
     }
 }

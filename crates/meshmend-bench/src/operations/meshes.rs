@@ -18,7 +18,7 @@ pub(super) fn weld_with_tolerance(mesh: &PolygonMesh) -> Result<Answer, Failure>
 }
 
 fn weld_within(mesh: &PolygonMesh, distance: Distance) -> Result<Answer, Failure> {
-    let welded = Weld { distance }.apply(mesh, &Context::default())?;
+    let welded = Weld::within(distance).apply(mesh, &Context::default())?;
     Ok(Box::new(move || Ok(figures([("vertices", welded.mesh.counts().vertices as u64)]))))
 }
 

@@ -62,6 +62,15 @@ fn view(document: &CheckDocument) -> String {
             format!("judged as welded: vertices within {part} of the bounding box's diagonal are one")
         }
     };
+    let view = match document.apart_in_pose {
+        0 => view,
+        1 => format!("{view}; 1 vertex at the position of another stays apart, as it moves in another way"),
+        apart => {
+            format!(
+                "{view}; {apart} vertices at the position of others stay apart, as they move in another way"
+            )
+        }
+    };
     match document.joined_in_single {
         0 => view,
         1 => format!("{view}; 1 more vertex would be joined in single precision (--weld single)"),

@@ -70,6 +70,20 @@ impl Values {
         }
     }
 
+    /// The largest number of the type, which stands for 1 in layers whose whole numbers stand for fractions. `None` for
+    /// types of fractions, names and lists.
+    pub fn largest(&self) -> Option<f64> {
+        match self {
+            Values::I8(_) => Some(i8::MAX.into()),
+            Values::U8(_) => Some(u8::MAX.into()),
+            Values::I16(_) => Some(i16::MAX.into()),
+            Values::U16(_) => Some(u16::MAX.into()),
+            Values::I32(_) => Some(i32::MAX.into()),
+            Values::U32(_) => Some(u32::MAX.into()),
+            _ => None,
+        }
+    }
+
     /// Whether the numbers from `one` and from `other` on are the same to the bit.
     pub(crate) fn same_bits(&self, one: usize, other: usize, width: usize) -> bool {
         fn slices<T>(v: &[T], one: usize, other: usize, width: usize, same: impl Fn(&T, &T) -> bool) -> bool {

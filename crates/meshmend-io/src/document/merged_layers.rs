@@ -102,7 +102,7 @@ fn moved_values(layer: &Layer, placement: &Placement) -> Values {
     if !is_direction || placement.matrix == Placement::STILL || layer.width() < 3 || !is_numeric(layer) {
         return layer.values().clone();
     }
-    let step = largest(layer.values());
+    let step = layer.values().largest().unwrap_or(1.0);
     let width = layer.width();
     let number = |at: usize| layer.values().number(at).unwrap_or(f64::NAN) / step;
     let mut moved = Vec::with_capacity(layer.values().len());
@@ -119,17 +119,6 @@ fn moved_values(layer: &Layer, placement: &Placement) -> Values {
     match layer.values() {
         Values::F64(_) => Values::F64(moved),
         _ => Values::F32(moved.into_iter().map(|x| x as f32).collect()),
-    }
-}
-
-/// The number that stands for 1 in a direction of this type.
-fn largest(values: &Values) -> f64 {
-    match values {
-        Values::I8(_) => 127.0,
-        Values::I16(_) => 32767.0,
-        Values::U8(_) => 255.0,
-        Values::U16(_) => 65535.0,
-        _ => 1.0,
     }
 }
 

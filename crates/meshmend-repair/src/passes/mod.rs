@@ -133,7 +133,7 @@ macro_rules! passes {
 }
 
 passes! {
-    weld: Weld, Distance;
+    weld: Weld, Distance, WeldBy;
     clean: Clean, NonFinite, Repeated;
     orient: Orient, Duplicates, NonOrientable, Side;
     split: Split, SeamFigures, Seams, SplitEdges;

@@ -7,6 +7,9 @@
 //! * *Single*: their positions are equal after each coordinate is rounded to single precision.
 //! * *Tolerance ε*: they are in one connected component of "distance ≤ ε", so no pair within ε is missed.
 //!
+//! Vertices that a model's motion parts are not in one place: morph targets displace them differently, or other joints
+//! move them. So a closed mouth stays two lips ([`WeldBy::Pose`]).
+//!
 //! 1. Find the classes.
 //! 2. Each class becomes its lowest vertex, whose position is kept to the bit. Attributes that differ across
 //!    welded vertices move to the corners; none is averaged or dropped.
@@ -19,12 +22,12 @@
 use std::borrow::Cow;
 
 use meshmend_core::{DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
-use meshmend_geometry::coincident::{coincident_in_single, coincident_vertices};
+use meshmend_geometry::coincident::{coincident_in_single, coincident_vertices, equal_in_pose, near_in_pose};
 use meshmend_geometry::proximity::{NoClasses, proximity_classes};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow};
+use crate::{Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word};
 
 /// Joins vertices that are in the same place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -32,6 +35,20 @@ use crate::{Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKi
 pub struct Weld {
     /// When two vertices are in the same place.
     pub distance: Distance,
+    /// Whether vertices in the same place have to stay together when a model moves.
+    pub by: WeldBy,
+}
+
+/// Whether vertices in the same place have to stay together when a model moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WeldBy {
+    /// They have to: morph targets displace them alike, and the same joints move them by the same weights. A distance
+    /// bounds each displacement too.
+    #[default]
+    Pose,
+    /// They don't.
+    Position,
 }
 
 /// When two vertices are in the same place.
@@ -65,6 +82,15 @@ pub(crate) const ROW: PassRow = PassRow {
                percentage of the bounding box's diagonal",
         sets: &["distance"],
         values: OptionValues::Distance,
+    },
+    PassOption {
+        name: "weld-by",
+        help: "Whether vertices that morph targets or joints move apart are joined",
+        sets: &["by"],
+        values: OptionValues::Words(&[
+            Word::new("pose", "They are not: a closed mouth stays two lips"),
+            Word::new("position", "They are"),
+        ]),
     }],
     form: Form::of::<Weld>(),
 };
@@ -103,7 +129,7 @@ impl Pass for Weld {
             Distance::Single => coincident_in_single(mesh),
             Distance::Absolute(_) | Distance::Relative(_) => within(mesh, self.tolerance_on(mesh), context)?,
         };
-        join_to(mesh, lowest)
+        join_to(mesh, self.in_one_pose(mesh, lowest, context)?)
     }
 
     /// 0 if only vertices in one place are joined. *Cost*: linear if the distance is relative, else constant.
@@ -112,6 +138,31 @@ impl Pass for Weld {
             Distance::Exact | Distance::Single => 0.0,
             Distance::Absolute(epsilon) => epsilon,
             Distance::Relative(part) => part * diagonal(mesh),
+        }
+    }
+}
+
+impl Weld {
+    /// A weld of vertices within a distance; its other options are the defaults.
+    pub fn within(distance: Distance) -> Self {
+        Weld { distance, ..Weld::default() }
+    }
+
+    /// Classes of vertices, parted where a model's motion parts them.
+    fn in_one_pose(
+        &self,
+        mesh: &PolygonMesh,
+        lowest: Vec<VertexId>,
+        context: &Context<'_>,
+    ) -> Result<Vec<VertexId>, PassError> {
+        let epsilon = self.tolerance_on(mesh);
+        match self.by {
+            WeldBy::Position => Ok(lowest),
+            WeldBy::Pose if epsilon == 0.0 => Ok(equal_in_pose(mesh, lowest)),
+            WeldBy::Pose => {
+                let goes_on = || context.check_cancelled().is_ok();
+                near_in_pose(mesh, lowest, epsilon, &goes_on).map_err(|reason| not_told(epsilon, reason))
+            }
         }
     }
 }
@@ -232,14 +283,14 @@ mod tests {
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1e6, 0.0]];
         let positions = corners.map(|[x, y]| [x, y, 0.0]).to_vec();
         let mesh = Soup { positions, faces: vec![vec![0, 1, 2]] }.mesh();
-        let weld = Weld { distance: Distance::Relative(1e-4) };
+        let weld = Weld::within(Distance::Relative(1e-4));
         assert!(weld.apply(&mesh, &Context::default()).unwrap().fixed.is_empty());
     }
 
     #[test]
     fn a_stray_vertex_too_far_away_to_be_measured_is_set_aside() {
         let mesh = line(&[0.0, 1.0, 1.25, 4.0, 1e60], &[&[0, 1, 3], &[2, 3, 0]]);
-        let weld = |distance| Weld { distance }.apply(&mesh, &Context::default());
+        let weld = |distance| Weld::within(distance).apply(&mesh, &Context::default());
         for distance in [Distance::Relative(0.1), Distance::Absolute(0.25)] {
             let joined: Vec<_> = weld(distance).unwrap().fixed.iter().collect();
             assert_eq!(joined, [Defect::coincident_vertex(VertexId(2), VertexId(1))]);

@@ -104,7 +104,7 @@ fn assert_looking_before_is_the_same(pipeline: &Pipeline, mesh: &PolygonMesh) {
         repaired.map(told).map_err(|error| error.to_string())
     };
     let distances = [Distance::Exact, Distance::Absolute(0.5), Distance::Relative(0.01)];
-    let welds = distances.map(|distance| Some(Weld { distance }));
+    let welds = distances.map(|distance| Some(Weld::within(distance)));
     for weld in welds.into_iter().chain([None]) {
         for kernel in [KernelKind::default(), KernelKind::HalfEdge] {
             for witness in [Witness::BreadthFirst, Witness::Shortest] {

@@ -25,6 +25,8 @@ pub struct CheckDocument {
     pub weld: Option<Distance>,
     /// How many vertices would be joined to others in single precision (`--weld single`), beyond those at the same position.
     pub joined_in_single: u64,
+    /// How many vertices are at the position of others and yet apart, as morph targets or joints move them differently.
+    pub apart_in_pose: u64,
     /// What is stored.
     pub stored: StoredCounts,
     /// The figures, each under its own key. The list of component kinds is cut to the limit.
@@ -73,6 +75,7 @@ impl CheckDocument {
             view: report.view.name(),
             weld: report.view.distance(),
             joined_in_single: report.joined_in_single,
+            apart_in_pose: report.apart_in_pose,
             stored: report.stored,
             topology,
             component_kinds_total,
