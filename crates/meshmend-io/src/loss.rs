@@ -59,6 +59,8 @@ pub enum LossKind {
     Polygons,
     /// Faces of fewer than three corners are left out.
     ShortFaces,
+    /// Faces with coordinates that are not finite are left out.
+    NonFiniteFaces,
     /// Vertices that no face uses are left out.
     UnusedVertices,
     /// Loose edges are left out.

@@ -16,7 +16,19 @@ pub(crate) struct Facts {
     pub(crate) holds_polygons: bool,
     /// Whether faces name vertices by index, so that several faces can share one.
     pub(crate) has_indices: bool,
+    /// Where texture coordinates count from.
+    pub(crate) texture_origin: TextureOrigin,
     /// Whether a file that starts with these bytes, and has so many in all, is surely of this format, whatever its
     /// name.
     pub(crate) sniff: fn(&[u8], u64) -> bool,
+}
+
+/// The corner of a picture whose texture coordinates are 0 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TextureOrigin {
+    /// The lower left one.
+    LowerLeft,
+    /// The upper left one.
+    #[allow(dead_code, reason = "the formats of Khronos have it")]
+    UpperLeft,
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::Encoding;
-use crate::formats::facts::Facts;
+use crate::formats::facts::{Facts, TextureOrigin};
 
 macro_rules! variants {
     ($($(#[doc = $doc:literal])* $(#[cfg($only:meta)])? $format:ident => $folder:ident,)*) => {
@@ -63,6 +63,11 @@ impl Format {
     /// apart.
     pub fn has_indices(self) -> bool {
         self.facts().has_indices
+    }
+
+    /// Where its texture coordinates count from.
+    pub(crate) fn texture_origin(self) -> TextureOrigin {
+        self.facts().texture_origin
     }
 
     /// The format of an extension, in any case and without the dot.

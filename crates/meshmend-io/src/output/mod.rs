@@ -11,4 +11,5 @@ pub(crate) mod seams;
 pub(crate) mod sink;
 pub(crate) mod statements;
 pub(crate) mod texture_numbers;
+pub(crate) mod texture_origin;
 pub(crate) mod triangles;

@@ -17,16 +17,17 @@ impl Prepared {
     /// *Cost*: O(1), unless the format needs the mesh to be changed.
     pub fn new(mesh: &PolygonMesh, options: &WriteOptions) -> Result<Self, WriteErrorKind> {
         let (format, encoding) = options.resolved()?;
-        let (mesh, options) = (mesh.clone(), options.clone());
         let mut prepared = Prepared {
-            mesh,
+            given: mesh.clone(),
+            mesh: mesh.clone(),
             format,
             encoding,
-            options,
+            options: options.clone(),
             losses: Vec::new(),
             record: None,
             at_vertices: Vec::new(),
         };
+        prepared.turn_textures()?;
         (driver(format).prepare)(&mut prepared)?;
         Ok(prepared)
     }

@@ -19,6 +19,8 @@ use crate::{Encoding, Format, Loss, WriteOptions};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Prepared {
+    /// The mesh that was to be made ready.
+    pub(crate) given: PolygonMesh,
     /// The mesh as it will be read again, but for what the format can't carry.
     pub(crate) mesh: PolygonMesh,
     pub(crate) format: Format,
@@ -74,7 +76,7 @@ impl Prepared {
     /// Puts another mesh in the place of this one, and adds to the record where its elements were in this one.
     pub(crate) fn become_mesh(&mut self, mesh: PolygonMesh, record: Provenance) {
         let whole = match self.record.take() {
-            Some(before) => before.then(&record, self.mesh.faces(), mesh.faces()),
+            Some(before) => before.then(&record, self.given.faces(), mesh.faces()),
             None => record,
         };
         (self.mesh, self.record) = (mesh, Some(whole));

@@ -71,3 +71,45 @@ impl Parts {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use meshmend_core::{Carry, FaceTable, PolygonMesh, Role, Values, VertexId};
+
+    use super::*;
+    use crate::{Format, WriteOptions};
+
+    /// PLY moves normals first and then texture coordinates. The record of both names vertices of the given mesh.
+    #[test]
+    fn what_is_split_twice_is_recorded_in_terms_of_the_given_mesh() {
+        // A fan of three triangles round vertex 0, closed. The normals differ at vertex 0, the places in the picture
+        // at vertex 1.
+        let corners = [0, 1, 2, 0, 2, 3, 0, 3, 1].map(VertexId).to_vec();
+        let points = vec![[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, -1.0, 0.0]];
+        let layer = |name, role, width, uses: [u32; 9]| {
+            let values = Values::F32((0..width * 2).map(|x| (x / width) as f32).collect());
+            Layer::indexed(name, Domain::Corner, width, Carry::Copy, values, uses.to_vec()).with_role(role)
+        };
+        let layers = vec![
+            layer("normal", Role::Normal, 3, [0, 0, 0, 1, 0, 0, 1, 0, 0]).at_home_on_vertices(4),
+            layer("texcoord", Role::TexCoord, 2, [0, 0, 0, 0, 0, 0, 0, 0, 1]).at_home_on_vertices(4),
+        ];
+        let mesh = PolygonMesh::new(points, FaceTable::triangles(4, corners).unwrap()).unwrap();
+        let mesh = mesh.with_layers(layers).unwrap();
+        let mut prepared = Prepared::new(&mesh, &WriteOptions::of(Format::Off)).unwrap();
+        prepared.mesh = mesh.clone();
+        (prepared.record, prepared.losses) = (None, Vec::new());
+        prepared.bring_to_vertices(&[0]).unwrap();
+        prepared.bring_to_vertices(&[1]).unwrap();
+        let record = prepared.record.clone().unwrap();
+        assert_eq!((record.before, prepared.mesh.counts().vertices), (mesh.counts(), 6));
+        for (new, old) in record.vertices.iter() {
+            assert_eq!(mesh.position(old.unwrap()), prepared.mesh.position(new));
+        }
+        for (new, old) in record.corners.iter() {
+            let (given, vertex) =
+                (mesh.faces().corner_vertex(old.unwrap()), prepared.mesh.faces().corner_vertex(new));
+            assert_eq!(record.vertices.of(vertex), Some(given));
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! What is known of OBJ, and how its content is told.
 
 use crate::Encoding;
-use crate::formats::facts::Facts;
+use crate::formats::facts::{Facts, TextureOrigin};
 use crate::text::{self, is_line_end};
 
 pub(crate) const FACTS: Facts = Facts {
@@ -11,6 +11,7 @@ pub(crate) const FACTS: Facts = Facts {
     variant: |_| "obj",
     holds_polygons: true,
     has_indices: true,
+    texture_origin: TextureOrigin::LowerLeft,
     sniff: |head, _| sniff(head),
 };
 

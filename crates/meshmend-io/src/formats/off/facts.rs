@@ -1,7 +1,7 @@
 //! What is known of OFF, and how its content is told.
 
 use crate::Encoding;
-use crate::formats::facts::Facts;
+use crate::formats::facts::{Facts, TextureOrigin};
 use crate::formats::off::letters::{Columns, letters_and_count};
 use crate::text;
 
@@ -12,6 +12,7 @@ pub(crate) const FACTS: Facts = Facts {
     variant: |_| "off",
     holds_polygons: true,
     has_indices: true,
+    texture_origin: TextureOrigin::LowerLeft,
     sniff: |head, _| sniff(head),
 };
 

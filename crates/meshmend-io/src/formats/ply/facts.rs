@@ -1,7 +1,7 @@
 //! What is known of PLY, and how its content is told.
 
 use crate::Encoding;
-use crate::formats::facts::Facts;
+use crate::formats::facts::{Facts, TextureOrigin};
 use crate::text;
 
 pub(crate) const FACTS: Facts = Facts {
@@ -15,6 +15,7 @@ pub(crate) const FACTS: Facts = Facts {
     },
     holds_polygons: true,
     has_indices: true,
+    texture_origin: TextureOrigin::LowerLeft,
     sniff: |head, _| sniff(head),
 };
 

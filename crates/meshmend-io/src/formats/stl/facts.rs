@@ -1,7 +1,7 @@
 //! What is known of STL, and how its content is told.
 
 use crate::Encoding;
-use crate::formats::facts::Facts;
+use crate::formats::facts::{Facts, TextureOrigin};
 use crate::formats::stl::form::{HEAD, begins_with_solid, claimed_length};
 use crate::formats::stl::solid_names::holds_facet;
 
@@ -15,6 +15,7 @@ pub(crate) const FACTS: Facts = Facts {
     },
     holds_polygons: false,
     has_indices: false,
+    texture_origin: TextureOrigin::LowerLeft,
     sniff,
 };
 

@@ -2,7 +2,7 @@
 //! from 0.
 
 use crate::Encoding;
-use crate::formats::facts::Facts;
+use crate::formats::facts::{Facts, TextureOrigin};
 
 pub(crate) const FACTS: Facts = Facts {
     name: "TOY",
@@ -11,5 +11,6 @@ pub(crate) const FACTS: Facts = Facts {
     variant: |_| "toy",
     holds_polygons: true,
     has_indices: true,
+    texture_origin: TextureOrigin::LowerLeft,
     sniff: |head, _| head.starts_with(b"toy\n"),
 };

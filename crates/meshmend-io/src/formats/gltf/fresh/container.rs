@@ -1,0 +1,62 @@
+//! The two forms of a file: a GLB, and a text with the buffer in a data URI.
+
+use std::io::{self, Write};
+
+use super::accessors::File;
+use super::base64::Base64;
+use super::buffer;
+use super::root::text_of;
+use crate::{Prepared, WriteErrorKind};
+
+const DATA_URI: &str = "data:application/octet-stream;base64,";
+const JSON_CHUNK: u32 = 0x4E4F_534A;
+const BIN_CHUNK: u32 = 0x004E_4942;
+
+/// Writes a GLB.
+pub(in crate::formats::gltf) fn encode_glb(
+    prepared: &Prepared,
+    out: &mut dyn Write,
+) -> Result<(), WriteErrorKind> {
+    let file = File::of(&prepared.mesh);
+    let mut text = text_of(&file, None)?;
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let head = if file.length == 0 { 20 } else { 28 };
+    let length = u32::try_from(head + text.len() as u64 + file.length).map_err(|_| too_large())?;
+    let mut start = Vec::with_capacity(text.len() + 28);
+    start.extend_from_slice(b"glTF");
+    // Each of these is less than the length.
+    for number in [2, length, text.len() as u32, JSON_CHUNK] {
+        start.extend_from_slice(&number.to_le_bytes());
+    }
+    start.append(&mut text);
+    if file.length > 0 {
+        start.extend_from_slice(&(file.length as u32).to_le_bytes());
+        start.extend_from_slice(&BIN_CHUNK.to_le_bytes());
+    }
+    out.write_all(&start)?;
+    buffer::write(&file, out)?;
+    Ok(out.flush()?)
+}
+
+/// Writes a text with the buffer in a data URI.
+pub(in crate::formats::gltf) fn encode_gltf(
+    prepared: &Prepared,
+    out: &mut dyn Write,
+) -> Result<(), WriteErrorKind> {
+    let file = File::of(&prepared.mesh);
+    let text = text_of(&file, Some(DATA_URI))?;
+    // The buffer is the last member, and the URI its last one.
+    let place = text.windows(DATA_URI.len()).rposition(|bytes| bytes == DATA_URI.as_bytes());
+    let (head, tail) = text.split_at(place.map_or(text.len(), |at| at + DATA_URI.len()));
+    out.write_all(head)?;
+    let mut encoder = Base64::new(&mut *out);
+    buffer::write(&file, &mut encoder)?;
+    encoder.finish()?;
+    out.write_all(tail)?;
+    out.write_all(b"\n")?;
+    Ok(out.flush()?)
+}
+
+fn too_large() -> WriteErrorKind {
+    io::Error::new(io::ErrorKind::FileTooLarge, "a GLB has at most 4 GiB; a glTF has no such limit").into()
+}
