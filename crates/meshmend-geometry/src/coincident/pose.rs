@@ -6,6 +6,9 @@ use meshmend_core::{CornerId, Domain, Id, Layer, PolygonMesh, Role, VertexId};
 use crate::proximity::{NoClasses, proximity_classes};
 use crate::vector::{Point, place_bits};
 
+/// The lowest vertex near each of some points.
+type Near<'a> = dyn Fn(&[Point]) -> Result<Vec<VertexId>, NoClasses> + 'a;
+
 /// How often classes are parted in each space in turn before they are parted by equal poses.
 const MOST_ROUNDS: usize = 8;
 
@@ -137,7 +140,7 @@ impl<'a> Poses<'a> {
         &self,
         class: Vec<VertexId>,
         lowest: &mut [VertexId],
-        near: &dyn Fn(&[Point]) -> Result<Vec<VertexId>, NoClasses>,
+        near: &Near<'_>,
     ) -> Result<(), NoClasses> {
         let mut classes = parted_by(&class, |&vertex| self.joints(vertex));
         for _ in 0..MOST_ROUNDS {
@@ -160,7 +163,7 @@ impl<'a> Poses<'a> {
     fn parted_near(
         &self,
         classes: Vec<Vec<VertexId>>,
-        near: &dyn Fn(&[Point]) -> Result<Vec<VertexId>, NoClasses>,
+        near: &Near<'_>,
         point: &dyn Fn(VertexId) -> Point,
     ) -> Result<Vec<Vec<VertexId>>, NoClasses> {
         let mut parted = Vec::with_capacity(classes.len());
