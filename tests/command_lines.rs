@@ -39,6 +39,8 @@ fn good(argument: &Arg) -> (String, bool) {
         (_, "FORMAT") => ("ply", false),
         // Which kernels there are too.
         ("kernel", _) => ("edge-use", true),
+        // Which parts there are hangs on the file.
+        ("parts", _) => ("0", true),
         (id, place) => panic!("which value does {id} {place} take?"),
     };
     (value.to_owned(), takes_any_text)

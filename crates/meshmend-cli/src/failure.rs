@@ -67,12 +67,21 @@ impl Failure {
 
     /// Why a pass gave no mesh, for the mesh of a file.
     pub(crate) fn of_pass(file: &str, error: &PassError) -> Self {
+        Failure::of_mesh(file, error, "; --allow-empty goes on all the same")
+    }
+
+    /// The same, for a part of a file that can't hold a part without faces.
+    pub(crate) fn of_part(file: &str, error: &PassError) -> Self {
+        Failure::of_mesh(file, error, "; --allow-empty has no effect on a file of parts")
+    }
+
+    fn of_mesh(file: &str, error: &PassError, if_emptied: &str) -> Self {
         let status = match error {
             PassError::Request { .. } => Status::Usage,
             _ => Status::Refused,
         };
         let hint = match error {
-            PassError::Emptied(_) => "; --allow-empty goes on all the same",
+            PassError::Emptied(_) => if_emptied,
             _ => "",
         };
         Failure { status, message: format!("{file}: {error}{hint}") }

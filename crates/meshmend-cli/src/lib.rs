@@ -10,6 +10,7 @@ mod failure;
 mod format_words;
 mod output_words;
 mod outputs;
+mod parts;
 mod policies;
 mod progress;
 mod render;

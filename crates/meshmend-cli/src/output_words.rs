@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::ValueEnum;
-use meshmend::formats::AttributePrecision;
+use meshmend::formats::{AttributePrecision, Shell};
 use meshmend::{Encoding, Format, ReadFile, Seams, WriteOptions};
 
 use crate::failure::{Failure, Status};
@@ -78,7 +78,17 @@ impl OutputWords {
 
     /// How to write a file that comes from another one.
     pub(crate) fn options_for(self, path: &Path, file: &ReadFile) -> Result<WriteOptions, Failure> {
-        Ok(self.in_format(path, self.format(path, Some(file.format))?)?.as_read(file))
+        self.options_of(path, file.format, &file.shell)
+    }
+
+    /// How to write a file that comes from one of this format with this shell.
+    pub(crate) fn options_of(
+        self,
+        path: &Path,
+        format: Format,
+        shell: &Shell,
+    ) -> Result<WriteOptions, Failure> {
+        Ok(self.in_format(path, self.format(path, Some(format))?)?.with_shell(shell.clone()))
     }
 
     fn in_format(self, path: &Path, format: Format) -> Result<WriteOptions, Failure> {

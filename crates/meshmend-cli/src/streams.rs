@@ -5,11 +5,14 @@
 use std::io::Write;
 use std::path::Path;
 
-use meshmend::formats::{Prepared, ReadErrorKind, WriteError, read_stream, replace_file};
+use meshmend::formats::{
+    Document, Placing, Prepared, PreparedDocument, ReadErrorKind, WriteError, read_document,
+    read_document_stream, replace_file,
+};
 use meshmend::{Format, Loss, PolygonMesh, ReadFile, ReadOptions, WriteOptions};
 
 use crate::console::Console;
-use crate::failure::Failure;
+use crate::failure::{Failure, Status};
 use crate::format_words;
 
 /// What standard input is called in reports and messages.
@@ -30,9 +33,14 @@ impl InputWords {
         InputWords { from }
     }
 
-    /// Reads a file, or standard input, with the default limits.
+    /// Reads a file, or standard input, with the default limits, as one mesh.
     pub(crate) fn read(self, path: &Path, console: &mut Console<'_>) -> Result<ReadFile, Failure> {
         self.read_told_by("--from", path, console)
+    }
+
+    /// Reads a file, or standard input, with the default limits, with all its parts.
+    pub(crate) fn read_document(self, path: &Path, console: &mut Console<'_>) -> Result<Document, Failure> {
+        self.document_told_by("--from", path, console)
     }
 
     /// Reads as [`read`](Self::read) does, for a command that is told the format by another option.
@@ -42,20 +50,37 @@ impl InputWords {
         path: &Path,
         console: &mut Console<'_>,
     ) -> Result<ReadFile, Failure> {
+        let document = self.document_told_by(option, path, console)?;
+        as_one_mesh(document, Placing::Scene, path)
+    }
+
+    fn document_told_by(
+        self,
+        option: &str,
+        path: &Path,
+        console: &mut Console<'_>,
+    ) -> Result<Document, Failure> {
         let options = ReadOptions::default().with_format(self.from);
         if !is_stream(path) {
-            return Ok(meshmend::read(path, &options)?);
+            return Ok(read_document(path, &options)?);
         }
         let Some(input) = console.take_input() else {
             return Err(Failure::usage("standard input can be read only once"));
         };
-        read_stream(input, INPUT, &options).map_err(|error| {
+        read_document_stream(input, INPUT, &options).map_err(|error| {
             let is_unknown = matches!(error.kind, ReadErrorKind::UnknownFormat { looks_like: None });
             let failure = Failure::from(error);
             let hint = if is_unknown { format!("; {option} tells it") } else { String::new() };
             Failure { message: failure.message + &hint, ..failure }
         })
     }
+}
+
+/// The parts of a document as one mesh.
+pub(crate) fn as_one_mesh(document: Document, placing: Placing, path: &Path) -> Result<ReadFile, Failure> {
+    let failed =
+        |reason| Failure { status: Status::Unreadable, message: format!("{}: {reason}", name(path)) };
+    document.into_mesh(placing).map_err(failed)
 }
 
 /// Whether a name stands for a standard stream.
@@ -119,6 +144,19 @@ pub(crate) fn write_mesh(
 pub(crate) fn write_prepared(
     output: &Path,
     prepared: &Prepared,
+    console: &mut Console<'_>,
+) -> Result<(), Failure> {
+    if !is_stream(output) {
+        return Ok(prepared.write(output)?);
+    }
+    let written = console.send(|out| prepared.encode(out));
+    Ok(written.map_err(|error| WriteError { file: OUTPUT.to_owned(), ..error })?)
+}
+
+/// Writes a document that is ready to a file, whole or not at all, or to standard output.
+pub(crate) fn write_document(
+    output: &Path,
+    prepared: &PreparedDocument,
     console: &mut Console<'_>,
 ) -> Result<(), Failure> {
     if !is_stream(output) {

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use meshmend::shapes::{NAMED_SHAPES, NamedShape};
 use meshmend::{
-    AnyKernel, DefectKind, Distance, EdgeId, FaceId, KernelKind, Kernels, PolygonMesh, ReadFile, Rules,
-    VertexId, View,
+    AnyKernel, DefectKind, Distance, EdgeId, FaceId, Format, KernelKind, Kernels, PolygonMesh, ReadFile,
+    Rules, VertexId, View,
 };
 
 use crate::failure::Failure;
@@ -32,7 +32,12 @@ impl Welding {
 
 /// How a file is looked at: as `--weld` says, else as files of its format usually are.
 pub(crate) fn view(weld: Option<Welding>, file: &ReadFile) -> View {
-    weld.map_or(View::usual_for(file.format), Welding::view)
+    view_of(weld, file.format)
+}
+
+/// How a document of a format is looked at.
+pub(crate) fn view_of(weld: Option<Welding>, format: Format) -> View {
+    weld.map_or(View::usual_for(format), Welding::view)
 }
 
 /// The mesh of a file as it is looked at.

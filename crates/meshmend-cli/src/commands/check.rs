@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use meshmend::report::{CheckDocument, json};
+use meshmend::formats::Document;
+use meshmend::report::{CheckDocument, PartsDocument, json};
 use meshmend::topology::Witness;
 use meshmend::{CheckOptions, CheckReport, DefectKind, check};
 
@@ -11,8 +12,9 @@ use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
+use crate::parts::{PartWords, PlacingWord};
 use crate::render;
-use crate::streams::{InputWords, name};
+use crate::streams::{InputWords, as_one_mesh, name};
 use crate::words::{self, Welding};
 
 /// Tell what meshes are, and what is wrong with them and where
@@ -24,9 +26,14 @@ pub(crate) struct Check {
     pub(super) files: Vec<PathBuf>,
     #[command(flatten)]
     from: InputWords,
+    #[command(flatten)]
+    parts: PartWords,
     /// Judge as welded: none, exact, single, a length, or a percentage of the bounding box's diagonal such as 0.01%
     #[arg(long, value_name = "DISTANCE", value_parser = words::welding)]
     weld: Option<Welding>,
+    /// Judge the parts of a file as one mesh, and how they become one; by default each is judged by itself
+    #[arg(long, value_enum, value_name = "HOW", conflicts_with = "parts")]
+    place: Option<PlacingWord>,
     /// The structure to compute on; the answers are the same, unless it can't hold the mesh
     #[arg(long, default_value = "edge-use")]
     kernel: String,
@@ -82,14 +89,14 @@ impl Check {
                 break;
             }
             match self.check_file(file, &asked, console) {
-                Ok((document, found)) => {
-                    status = status.and(found);
+                Ok(checked) => {
+                    status = status.and(checked.status);
                     if self.table {
-                        rows.push(document);
+                        rows.extend(checked.into_reports());
                         continue;
                     }
                     let gap = if place > 0 && !self.json { "\n" } else { "" };
-                    let text = self.text(&document, console)?;
+                    let text = self.text(&checked, console)?;
                     console.write(&format!("{gap}{text}"))?;
                 }
                 Err(failure) if failure.status == Status::Usage => return Err(failure),
@@ -105,28 +112,93 @@ impl Check {
         Ok(status)
     }
 
-    /// The report on one file, and whether it fails.
+    /// The reports on the parts of one file, and whether they fail.
     fn check_file(
         &self,
         path: &Path,
         asked: &Asked,
         console: &mut Console<'_>,
-    ) -> Result<(CheckDocument, Status), Failure> {
+    ) -> Result<CheckedFile, Failure> {
         let progress = console.progress(2);
         progress.step(&format!("read {}", name(path)));
-        let file = self.from.read(path, console)?;
+        let mut document = self.from.read_document(path, console)?;
+        if let Some(place) = self.place {
+            document = as_one_mesh(document, place.into(), path)?.into();
+        }
+        let chosen: Vec<usize> =
+            self.parts.chosen(&document)?.into_iter().map(|(number, _)| number).collect();
         progress.step(&format!("check {}", name(path)));
-        let view = words::view(self.weld, &file);
-        let report = check(&file.mesh, &asked.options.with_view(view))
-            .map_err(|error| Failure::of_pass(&name(path), &error))?;
-        let status = if asked.is_failing(&report) { Status::DefectsFound } else { Status::Done };
-        let document =
-            CheckDocument::new(report.listing(&asked.fail_on), self.limit).of_file(name(path), &file);
-        Ok((document, status))
+        let options = asked.options.with_view(words::view_of(self.weld, document.format));
+        let (mut status, mut reports) = (Status::Done, Vec::new());
+        for part in chosen {
+            if document.parts[part].seal().is_some() {
+                reports.push((part, None));
+                continue;
+            }
+            let report = check(&document.parts[part].mesh, &options)
+                .map_err(|error| Failure::of_pass(&name(path), &error))?;
+            status = status.and(if asked.is_failing(&report) { Status::DefectsFound } else { Status::Done });
+            let report = CheckDocument::new(report.listing(&asked.fail_on), self.limit);
+            reports.push((part, Some(report)));
+        }
+        Ok(CheckedFile { name: name(path), document, reports, status })
     }
 
-    fn text(&self, document: &CheckDocument, console: &Console<'_>) -> Result<String, Failure> {
-        if self.json { json_line(document) } else { Ok(render::check(document, console.style())) }
+    fn text(&self, checked: &CheckedFile, console: &Console<'_>) -> Result<String, Failure> {
+        match (&checked.reports[..], self.json) {
+            ([(0, Some(report))], true) if checked.document.is_whole() => {
+                json_line(&checked.of_file(0, report))
+            }
+            (_, true) => json_line(&checked.parts_document()?),
+            ([(part, Some(report))], false) => {
+                Ok(render::check(&checked.of_file(*part, report), console.style()))
+            }
+            (_, false) => Ok(render::checked_parts(checked, console.style())),
+        }
+    }
+}
+
+/// The reports on the parts of a file.
+pub(crate) struct CheckedFile {
+    /// What the file is called.
+    pub(crate) name: String,
+    /// The file.
+    pub(crate) document: Document,
+    /// The parts that were asked for, by number. A sealed part has no report.
+    pub(crate) reports: Vec<(usize, Option<CheckDocument>)>,
+    /// Whether one of them fails the check.
+    status: Status,
+}
+
+impl CheckedFile {
+    /// The report on a part, with what is known of the file.
+    fn of_file(&self, part: usize, report: &CheckDocument) -> CheckDocument {
+        let Document { variant, notes, .. } = &self.document;
+        let title = || format!("{}, {}", self.name, self.document.parts[part].title());
+        let name = if self.document.is_whole() { self.name.clone() } else { title() };
+        CheckDocument { file: Some(name), format: Some(variant), notes: notes.clone(), ..report.clone() }
+    }
+
+    fn into_reports(self) -> Vec<CheckDocument> {
+        let reports = self.reports.iter().filter_map(|(part, report)| Some((*part, report.as_ref()?)));
+        reports.map(|(part, report)| self.of_file(part, report)).collect()
+    }
+
+    /// All reports as one document.
+    fn parts_document(&self) -> Result<PartsDocument, Failure> {
+        let failed = |error| Failure::unwritable("report", error);
+        let mut together = PartsDocument::default();
+        for (number, report) in &self.reports {
+            let part = &self.document.parts[*number];
+            match report {
+                Some(report) => together.add(*number, part, report).map_err(failed)?,
+                None => together.add_without(*number, part, "sealed", part.seal().unwrap_or_default()),
+            }
+        }
+        together.say("file", &self.name).map_err(failed)?;
+        together.say("format", &self.document.variant).map_err(failed)?;
+        together.say("notes", &self.document.notes).map_err(failed)?;
+        Ok(together)
     }
 }
 

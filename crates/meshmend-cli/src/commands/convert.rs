@@ -3,15 +3,16 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use meshmend::formats::{ColorElements, NoteKind, decode_stl_colors};
-use meshmend::{Format, PolygonMesh, ReadFile, WriteOptions};
+use meshmend::formats::{ColorElements, Document, NoteKind, PreparedDocument, WriteError, decode_stl_colors};
+use meshmend::{Format, WriteOptions};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
+use crate::parts::PlacingWord;
 use crate::render;
-use crate::streams::{InputWords, Report, name, output_name, reserve, write_mesh};
+use crate::streams::{InputWords, Report, name, output_name, reserve, write_document};
 
 /// Write a mesh in another format, and say what that format can't carry
 ///
@@ -27,6 +28,9 @@ pub(crate) struct Convert {
     /// What the attribute bytes of a binary STL file become in another format
     #[arg(long, value_enum, default_value_t = StlColors::Keep)]
     stl_colors: StlColors,
+    /// How the parts of a file become one mesh, in a format of one mesh
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = PlacingWord::Scene)]
+    place: PlacingWord,
     #[command(flatten)]
     from: InputWords,
     #[command(flatten)]
@@ -50,15 +54,18 @@ impl Convert {
         reserve(&self.output, Report::Text, console)?;
         let progress = console.progress(2);
         progress.step("read");
-        let mut file = self.from.read(&self.input, console)?;
-        let options = self.words.options_for(&self.output, &file)?;
+        let mut document = self.from.read_document(&self.input, console)?;
+        let options = self.words.options_of(&self.output, document.format, &document.shell)?;
         self.check_colors(options.format)?;
-        file.mesh = self.decoded(&file, &options)?;
+        self.decode_colors(&mut document, &options)?;
         progress.step("write");
-        let losses = write_mesh(&self.output, &file.mesh, &options, console)?;
+        let failed = |kind| WriteError { file: output_name(&self.output), kind };
+        let prepared = PreparedDocument::placed(&document, &options, self.place.into()).map_err(failed)?;
+        write_document(&self.output, &prepared, console)?;
         drop(progress);
-        let text = render::conversion(&name(&self.input), &output_name(&self.output), &file, &losses);
-        console.write(&(text + self.hint(&file, &options)))?;
+        let (input, output) = (name(&self.input), output_name(&self.output));
+        let text = render::conversion(&input, &output, &document, &prepared.losses());
+        console.write(&(text + self.hint(&document, &options)))?;
         Ok(Status::Done)
     }
 
@@ -71,22 +78,25 @@ impl Convert {
         Ok(())
     }
 
-    /// The mesh with colours where an STL file has attribute bytes: of the faces, or in OBJ, which has no colours of faces, of the vertices.
-    fn decoded(&self, file: &ReadFile, options: &WriteOptions) -> Result<PolygonMesh, Failure> {
-        if self.stl_colors == StlColors::Keep || file.format != Format::Stl {
-            return Ok(file.mesh.clone());
+    /// Makes colours of the attribute bytes of an STL file: of the faces, or in OBJ, which has no colours of faces, of the vertices.
+    fn decode_colors(&self, document: &mut Document, options: &WriteOptions) -> Result<(), Failure> {
+        if self.stl_colors == StlColors::Keep || document.format != Format::Stl {
+            return Ok(());
         }
         let elements = match options.format {
             Some(Format::Obj) => ColorElements::Vertices,
             _ => ColorElements::Faces,
         };
-        decode_stl_colors(&file.mesh, elements)
-            .map_err(|error| Failure::unwritable(&output_name(&self.output), error))
+        for part in &mut document.parts {
+            part.mesh = decode_stl_colors(&part.mesh, elements)
+                .map_err(|error| Failure::unwritable(&output_name(&self.output), error))?;
+        }
+        Ok(())
     }
 
     /// A line about attribute bytes that might have become colours.
-    fn hint(&self, file: &ReadFile, options: &WriteOptions) -> &'static str {
-        let may_be_colors = file.notes.iter().any(|note| note.kind == NoteKind::PerhapsColors);
+    fn hint(&self, document: &Document, options: &WriteOptions) -> &'static str {
+        let may_be_colors = document.notes.iter().any(|note| note.kind == NoteKind::PerhapsColors);
         let are_kept = self.stl_colors == StlColors::Keep && options.format != Some(Format::Stl);
         if may_be_colors && are_kept {
             "\nthe attribute bytes are written as numbers; --stl-colors decode makes colours of them\n"

@@ -19,6 +19,10 @@ mod pointers;
 #[cfg(feature = "render")]
 mod render;
 mod repair;
+mod repair_parts;
+
+pub(crate) use check::CheckedFile;
+pub(crate) use repair_parts::{PartResult, RepairedFile};
 
 use std::path::PathBuf;
 use std::slice;

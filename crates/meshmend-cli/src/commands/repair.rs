@@ -4,12 +4,12 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use meshmend::formats::{Prepared, held_layers, replace_file, rounding_losses};
+use meshmend::formats::{Placing, Prepared, held_layers, replace_file, rounding_losses};
 use meshmend::passes::{FaceStorage, Precision, Writing};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
-    CheckOptions, CheckReport, Encoding, Format, Pipeline, Plan, PolygonMesh, ReadFile, Repaired, Rules,
-    Session, View, WriteError, WriteOptions, check, check_in,
+    CheckOptions, CheckReport, Encoding, Format, PassError, Pipeline, Plan, PolygonMesh, ReadFile, Repaired,
+    Rules, Session, View, WriteError, WriteOptions, check, check_in,
 };
 
 use super::check::json_line;
@@ -18,9 +18,12 @@ use crate::failure::{Failure, Status};
 use crate::format_words;
 use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
+use crate::parts::PartWords;
 use crate::policies::Policies;
 use crate::render::{self, Style};
-use crate::streams::{InputWords, Report, is_stream, name, output_name, reserve, write_prepared};
+use crate::streams::{
+    InputWords, Report, as_one_mesh, is_stream, name, output_name, reserve, write_prepared,
+};
 use crate::words;
 
 /// Mend a mesh: make it manifold, consistently oriented and free of rubbish, and name all that was done
@@ -32,40 +35,42 @@ pub(crate) struct Repair {
     pub(super) input: PathBuf,
     /// The file to write; it may be the input; `-` is standard output, and the report goes to standard error
     #[arg(short, long, value_name = "OUT", required_unless_present = "dry_run")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     /// Write no mesh; report what would be done
     #[arg(long)]
-    dry_run: bool,
+    pub(super) dry_run: bool,
     /// Also write the JSON report to a file
     #[arg(long, value_name = "FILE.json")]
-    report: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
     /// Print the report as JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     /// Put into the JSON report where each vertex and face of the result came from
     #[arg(long)]
-    report_maps: bool,
+    pub(super) report_maps: bool,
     /// Print one line, and do not look at the mesh before
     #[arg(short, long, visible_alias = "no-report")]
-    quiet: bool,
+    pub(super) quiet: bool,
     /// The structure to compute on; the result is the same, unless it can't hold the mesh
     #[arg(long, default_value = "edge-use")]
     kernel: String,
     /// How many items each list of the report shows at most, also in JSON; counts are always whole
     #[arg(long, value_name = "N", default_value_t = 10)]
-    limit: usize,
+    pub(super) limit: usize,
     #[command(flatten)]
     from: InputWords,
     #[command(flatten)]
-    words: OutputWords,
+    parts: PartWords,
+    #[command(flatten)]
+    pub(super) words: OutputWords,
     #[command(flatten)]
     pub(super) policies: Policies,
 }
 
 /// A file to write, and how.
-struct Target<'a> {
-    path: &'a Path,
-    options: WriteOptions,
+pub(super) struct Target<'a> {
+    pub(super) path: &'a Path,
+    pub(super) options: WriteOptions,
 }
 
 impl Target<'_> {
@@ -107,9 +112,15 @@ impl Repair {
 
         let progress = console.progress(plan.passes.len() + 4);
         progress.step("read");
-        let file = self.from.read(&self.input, console)?;
+        let document = self.from.read_document(&self.input, console)?;
+        let chosen: Vec<usize> = self.parts.chosen(&document)?.into_iter().map(|(part, _)| part).collect();
+        if !document.is_whole() {
+            drop(progress);
+            return self.repair_parts(document, &chosen, (plan, kernel, rules), console);
+        }
+        let file = as_one_mesh(document, Placing::Parts, &self.input)?;
         let target = self.target(&file)?;
-        let pipeline = self.pipeline(plan, &file, target.as_ref());
+        let pipeline = self.pipeline(plan, &file.mesh, target.as_ref());
         let failed = |error| Failure::of_pass(&name(&self.input), &error);
         progress.step("check");
         let mut session = Session::begin(&file.mesh);
@@ -127,7 +138,7 @@ impl Repair {
         document.notes = file.notes;
         document.provenance = self.report_maps.then(|| ProvenanceDocument::new(&repaired.provenance));
         if !self.quiet || self.makes_json() {
-            document.after = Some(self.after(&mut repaired, rules)?);
+            document.after = Some(self.after(&mut repaired, rules).map_err(failed)?);
         }
         progress.step("write");
         let prepared = target.as_ref().map(|target| target.prepared(&repaired.mesh)).transpose()?;
@@ -157,7 +168,7 @@ impl Repair {
     }
 
     /// The passes of a plan, for what an output can hold.
-    fn pipeline(&self, plan: Plan, file: &ReadFile, target: Option<&Target<'_>>) -> Pipeline {
+    pub(super) fn pipeline(&self, plan: Plan, mesh: &PolygonMesh, target: Option<&Target<'_>>) -> Pipeline {
         let format = target.and_then(|target| target.options.format);
         let plan = match format {
             Some(format) if !format.holds_polygons() => self.policies.for_triangles(plan),
@@ -166,7 +177,7 @@ impl Repair {
         let pipeline = plan.pipeline();
         let Some(target) = target else { return pipeline.in_precision(Precision::Double) };
         pipeline
-            .for_layers(held_layers(&file.mesh, &target.options))
+            .for_layers(held_layers(mesh, &target.options))
             .in_precision(target.precision())
             .storing(target.storage())
     }
@@ -204,11 +215,10 @@ impl Repair {
     }
 
     /// The state after: what `verify` found, or a check where the plan leaves that out.
-    fn after(&self, repaired: &mut Repaired, rules: Rules) -> Result<CheckDocument, Failure> {
+    pub(super) fn after(&self, repaired: &mut Repaired, rules: Rules) -> Result<CheckDocument, PassError> {
         let report = match repaired.topology.take() {
             Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, rules),
-            None => check(&repaired.mesh, &CheckOptions::default().with_rules(rules))
-                .map_err(|error| Failure::of_pass(&name(&self.input), &error))?,
+            None => check(&repaired.mesh, &CheckOptions::default().with_rules(rules))?,
         };
         Ok(CheckDocument::new(report, self.limit))
     }
@@ -244,11 +254,20 @@ impl Repair {
         console: &mut Console<'_>,
     ) -> Result<(), Failure> {
         let Some(report) = &self.report else { return self.write_mesh(output, console) };
-        let text = json_line(document)?;
+        self.write_report(report, &json_line(document)?, || self.write_mesh(output, console))
+    }
+
+    /// Writes a report round the writing of what it is about.
+    pub(super) fn write_report(
+        &self,
+        report: &Path,
+        text: &str,
+        write: impl FnOnce() -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
         let written = replace_file(report, |out| -> Result<(), Interrupted> {
             out.write_all(text.as_bytes())?;
             out.flush()?;
-            self.write_mesh(output, console).map_err(Interrupted::Mesh)
+            write().map_err(Interrupted::Mesh)
         });
         written.map_err(|interrupted| match interrupted {
             Interrupted::Mesh(failure) => failure,

@@ -253,16 +253,20 @@ fn kernels(document: &CheckDocument) -> Vec<String> {
     table::lines(&document.kernels.iter().map(verdict).collect::<Vec<_>>(), &[])
 }
 
-/// The figures of a mesh in the order in which a repair sets them side by side.
-pub(super) fn column(document: &CheckDocument) -> Vec<(&'static str, String)> {
-    let report = &document.topology;
-    let kinds = &report.component_kinds;
+/// Of which kind the components are, if they are of one.
+pub(super) fn which(document: &CheckDocument) -> String {
     let name = |kind: &ComponentKind| kind.name.clone().unwrap_or_else(|| "not a surface".to_owned());
-    let what = match kinds.as_slice() {
+    match document.topology.component_kinds.as_slice() {
         [kind] if document.component_kinds_total == 1 => format!("{} × {}", kind.count, name(kind)),
         [] => ABSENT.to_owned(),
         _ => counted(document.component_kinds_total, "kind"),
-    };
+    }
+}
+
+/// The figures of a mesh in the order in which a repair sets them side by side.
+pub(super) fn column(document: &CheckDocument) -> Vec<(&'static str, String)> {
+    let report = &document.topology;
+    let what = which(document);
     let betti = figure(report.betti.z2.map(|[a, b, c]| format!("{a} {b} {c}")));
     vec![
         ("vertices", report.vertices.to_string()),

@@ -12,6 +12,7 @@ mod lesson;
 mod loops;
 mod matrix;
 mod paper_tables;
+mod parts;
 #[cfg(feature = "render")]
 mod picture;
 mod pointers;
@@ -35,6 +36,7 @@ pub(crate) use lesson::lesson;
 pub(crate) use loops::{cut, loops};
 pub(crate) use matrix::matrix;
 pub(crate) use paper_tables::paper_tables;
+pub(crate) use parts::{checked_parts, repaired_parts};
 #[cfg(feature = "render")]
 pub(crate) use picture::picture;
 pub(crate) use pointers::{element_counts, permutations, records};

@@ -50,6 +50,11 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
         Some(output) => format!("{input} → {}", printable(output)),
         None => format!("{input}, nothing written"),
     };
+    format!("{target}: {}\n", changes(document))
+}
+
+/// What became of the mesh, from its size to its notes.
+pub(super) fn changes(document: &RepairDocument) -> String {
     let (before, after) = (document.stored.before, document.stored.after);
     let mut parts = vec![
         format!("{} → {}", before.vertices, counted(after.vertices, "vertex")),
@@ -75,7 +80,7 @@ pub(crate) fn summary(document: &RepairDocument) -> String {
         _ if !document.changed => parts.push("nothing to mend".to_owned()),
         _ => {}
     }
-    format!("{target}: {}\n", parts.join(", "))
+    parts.join(", ")
 }
 
 fn side_by_side(document: &RepairDocument) -> Vec<String> {

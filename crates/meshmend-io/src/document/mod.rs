@@ -83,6 +83,19 @@ pub enum PartStatus {
 }
 
 impl Part {
+    /// What reports call it: its name, and what it is in the file, such as `Body (mesh 3)`.
+    pub fn title(&self) -> String {
+        let what = match &self.source {
+            PartSource::Whole => "whole file".to_owned(),
+            PartSource::GltfMesh(index) => format!("mesh {index}"),
+            PartSource::ThreeMfObject { id, .. } => format!("object {id}"),
+        };
+        match String::from_utf8_lossy(&self.name) {
+            name if name.is_empty() => what,
+            name => format!("{name} ({what})"),
+        }
+    }
+
     /// Why it can't be edited, if it can't.
     pub fn seal(&self) -> Option<&str> {
         match &self.status {
@@ -92,7 +105,21 @@ impl Part {
     }
 }
 
+impl From<ReadFile> for Document {
+    /// A document of one mesh.
+    fn from(file: ReadFile) -> Self {
+        let ReadFile { mesh, format, variant, notes, shell } = file;
+        let part = Part { name: Vec::new(), source: PartSource::Whole, mesh, status: PartStatus::Editable };
+        Document { parts: vec![part], format, variant, notes, shell }
+    }
+}
+
 impl Document {
+    /// Whether the file is one mesh, as all files of formats without parts are.
+    pub fn is_whole(&self) -> bool {
+        matches!(&self.parts[..], [Part { source: PartSource::Whole, .. }])
+    }
+
     /// This document with another mesh in a part. A part that does not exist is left out.
     pub fn with_mesh(mut self, part: usize, mesh: PolygonMesh) -> Self {
         if let Some(part) = self.parts.get_mut(part) {

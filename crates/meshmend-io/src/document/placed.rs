@@ -4,7 +4,7 @@ use meshmend_core::{Domain, FaceTable, FaceTableBuilder, MAX_CORNERS, PolygonMes
 use thiserror::Error;
 
 use crate::document::merged_layers::{Elements, MergedLayers};
-use crate::document::{Document, PartSource, Placement, Placing};
+use crate::document::{Document, Placement, Placing};
 use crate::{ReadFile, Shell};
 
 /// How many times as many vertices and corners as its parts have a placed mesh may have, once it is large.
@@ -27,8 +27,9 @@ pub struct TooMuchPlaced {
 
 /// One mesh of all parts of a document.
 pub(super) fn file_of(document: Document, placing: Placing) -> Result<ReadFile, TooMuchPlaced> {
+    let is_whole = document.is_whole();
     let Document { mut parts, format, variant, notes, shell } = document;
-    if parts.len() == 1 && parts[0].source == PartSource::Whole {
+    if is_whole {
         let mesh = parts.remove(0).mesh;
         return Ok(ReadFile { mesh, format, variant, notes, shell });
     }

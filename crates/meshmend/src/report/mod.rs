@@ -21,6 +21,7 @@ mod kernels_document;
 mod listing;
 mod loops_document;
 mod matrix_document;
+mod parts_document;
 mod repair_document;
 #[cfg(feature = "flatten")]
 mod unfold_document;
@@ -36,6 +37,7 @@ pub use matrix_document::{
     ArraysDocument, EdgeDocument, EigenvalueDocument, LostSideDocument, MatrixDocument, MatrixSize,
     NeighbourhoodDocument, RankDocument, SpectrumDocument, WalksDocument, WalksTo,
 };
+pub use parts_document::PartsDocument;
 pub use repair_document::{
     BeforeAndAfter, CreatedVertex, EmptiedNameDocument, FigureChanges, NamedFace, PassDocument,
     ProvenanceDocument, RemovedFaces, RepairDocument,
