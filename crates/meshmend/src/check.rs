@@ -84,6 +84,8 @@ pub struct CheckReport {
     pub apart_in_pose: u64,
     /// The vertices that exact welding would join to a lower one; empty if the view is welded.
     coincident: Vec<(VertexId, VertexId)>,
+    /// The ends of edges with one side that are not counted as boundary, as other parts use them too.
+    shared: Vec<[VertexId; 2]>,
     rules: Rules,
     /// The kinds that are listed because they were asked for.
     asked: Vec<DefectKind>,
@@ -152,7 +154,10 @@ pub fn check_in(session: &mut Session<'_>, view: View, rules: Rules) -> Result<C
 }
 
 /// The mesh of a session that has just begun, in a view, and of each of its vertices the stored one.
-fn viewed(session: &mut Session<'_>, view: View) -> Result<(PolygonMesh, Sources<VertexId>), PassError> {
+pub(crate) fn viewed(
+    session: &mut Session<'_>,
+    view: View,
+) -> Result<(PolygonMesh, Sources<VertexId>), PassError> {
     if let Some(distance) = view.distance() {
         session.apply(Weld::within(distance))?;
     }
@@ -207,6 +212,7 @@ impl CheckReport {
             joined_in_single,
             apart_in_pose,
             coincident,
+            shared: Vec::new(),
             rules,
             asked: Vec::new(),
             own,
@@ -233,10 +239,20 @@ impl CheckReport {
     pub fn count(&self, kind: DefectKind) -> usize {
         match (kind, kind.rule().found) {
             (DefectKind::Own(_), _) => self.defects_of_kind(kind).count(),
-            (_, Found::InSurvey) => self.topology.defects.count(kind),
+            (_, Found::InSurvey) => self.topology.defects.count(kind) - self.left_out(kind).len(),
             (_, Found::ByWelding) => self.coincident.len(),
             _ => self.defects_of_kind(kind).count(),
         }
+    }
+
+    /// Counts these edges, given by their ends, no longer as boundary: other parts use them too.
+    pub(crate) fn leave_out(&mut self, shared: &[[VertexId; 2]]) {
+        self.shared = shared.to_vec();
+    }
+
+    /// The ends of edges that are not counted in a kind.
+    fn left_out(&self, kind: DefectKind) -> &[[VertexId; 2]] {
+        if kind == DefectKind::BoundaryEdge { &self.shared } else { &[] }
     }
 
     /// The defects of a kind, by ascending id.
@@ -248,7 +264,11 @@ impl CheckReport {
         }
         match (rule.found, rule.listed) {
             (_, Listed::AlreadyBy(other)) if self.count(other) == 0 => Box::new(iter::empty()),
-            (Found::InSurvey, _) => Box::new(self.topology.defects.of_kind(kind)),
+            (Found::InSurvey, _) => {
+                let left_out = self.left_out(kind);
+                let defects = self.topology.defects.of_kind(kind);
+                Box::new(defects.filter(move |defect| !is_at(defect, left_out)))
+            }
             (Found::InMesh(find), _) => find(&self.mesh),
             (Found::ByWelding, _) => {
                 let pairs = self.coincident.iter();
@@ -283,6 +303,15 @@ impl CheckReport {
             .collect();
         KernelVerdict { name: kernel.name, holds: refusals.is_empty(), refusals }
     }
+}
+
+/// Whether a defect is at an edge with one of these pairs of ends.
+fn is_at(defect: &Defect, pairs: &[[VertexId; 2]]) -> bool {
+    !pairs.is_empty()
+        && defect
+            .at
+            .ends()
+            .is_some_and(|[one, other]| pairs.binary_search(&[one.min(other), one.max(other)]).is_ok())
 }
 
 /// What the rule of a kind finds in a mesh.

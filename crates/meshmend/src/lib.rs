@@ -204,6 +204,7 @@
 //! [`cutting`], [`edit`], [`formats`] and [`shapes`]; [`matrices`] is a part of [`topology`]. What the main jobs need is also here at
 //! the top. With the feature `flatten` there is `unfold`, which lays a mesh out in the plane.
 
+mod by_name;
 mod check;
 mod loops;
 mod matrix_questions;
@@ -228,6 +229,7 @@ pub use meshmend_shapes as shapes;
 pub use meshmend_topology as topology;
 pub use meshmend_topology::matrices;
 
+pub use by_name::{NamedReport, check_by_name};
 pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check, check_in};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, PathOptions, cut, loops};
 pub use matrix_questions::{MatrixAnswers, MatrixError, MatrixQuestions, Neighbourhood};

@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use meshmend::formats::Document;
-use meshmend::report::{CheckDocument, PartsDocument, json};
+use meshmend::report::{CheckDocument, Listing, PartsDocument, json};
 use meshmend::topology::Witness;
-use meshmend::{CheckOptions, CheckReport, DefectKind, check};
+use meshmend::{CheckOptions, CheckReport, DefectKind, check, check_by_name};
 
 use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
-use crate::parts::{PartWords, PlacingWord};
+use crate::parts::{ByWord, PartWords, PlacingWord};
 use crate::render;
 use crate::streams::{InputWords, as_one_mesh, name};
 use crate::words::{self, Welding};
@@ -125,12 +125,13 @@ impl Check {
         if let Some(place) = self.place {
             document = as_one_mesh(document, place.into(), path)?.into();
         }
-        let chosen: Vec<usize> =
-            self.parts.chosen(&document)?.into_iter().map(|(number, _)| number).collect();
         progress.step(&format!("check {}", name(path)));
         let options = asked.options.with_view(words::view_of(self.weld, document.format));
+        if let Some(by) = self.parts.by {
+            return self.check_by(by, path, document, (&options, asked));
+        }
         let (mut status, mut reports) = (Status::Done, Vec::new());
-        for part in chosen {
+        for part in self.parts.chosen(&document)? {
             if document.parts[part].seal().is_some() {
                 reports.push((part, None));
                 continue;
@@ -142,6 +143,33 @@ impl Check {
             reports.push((part, Some(report)));
         }
         Ok(CheckedFile { name: name(path), document, reports, status })
+    }
+
+    /// The reports on the parts of a mesh by the names of its faces.
+    fn check_by(
+        &self,
+        by: ByWord,
+        path: &Path,
+        document: Document,
+        (options, asked): (&CheckOptions, &Asked),
+    ) -> Result<CheckedFile, Failure> {
+        let name = name(path);
+        let mesh = by.mesh(&document, &name)?;
+        let reports = check_by_name(&mesh, by.layer(), options)
+            .map_err(|error| Failure::of_pass(&name, &error))?
+            .ok_or_else(|| by.no_names(&name))?;
+        let document = by.document(document, reports.iter().map(|named| &named.part));
+        let chosen = self.parts.chosen(&document)?;
+        let (mut status, mut kept) = (Status::Done, Vec::new());
+        for (number, named) in reports.into_iter().enumerate().filter(|(number, _)| chosen.contains(number)) {
+            status =
+                status.and(if asked.is_failing(&named.report) { Status::DefectsFound } else { Status::Done });
+            let shared = Listing::cut(named.shared_edges.into_iter(), self.limit);
+            let mut report = CheckDocument::new(named.report.listing(&asked.fail_on), self.limit);
+            report.shared_edges = Some(shared);
+            kept.push((number, Some(report)));
+        }
+        Ok(CheckedFile { name, document, reports: kept, status })
     }
 
     fn text(&self, checked: &CheckedFile, console: &Console<'_>) -> Result<String, Failure> {

@@ -60,7 +60,7 @@ pub(crate) struct Repair {
     #[command(flatten)]
     from: InputWords,
     #[command(flatten)]
-    parts: PartWords,
+    pub(super) parts: PartWords,
     #[command(flatten)]
     pub(super) words: OutputWords,
     #[command(flatten)]
@@ -113,11 +113,11 @@ impl Repair {
         let progress = console.progress(plan.passes.len() + 4);
         progress.step("read");
         let document = self.from.read_document(&self.input, console)?;
-        let chosen: Vec<usize> = self.parts.chosen(&document)?.into_iter().map(|(part, _)| part).collect();
-        if !document.is_whole() {
+        if !document.is_whole() || self.parts.by.is_some() {
             drop(progress);
-            return self.repair_parts(document, &chosen, (plan, kernel, rules), console);
+            return self.repair_parts(document, (plan, kernel, rules), console);
         }
+        self.parts.chosen(&document)?;
         let file = as_one_mesh(document, Placing::Parts, &self.input)?;
         let target = self.target(&file)?;
         let pipeline = self.pipeline(plan, &file.mesh, target.as_ref());

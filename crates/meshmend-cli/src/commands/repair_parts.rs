@@ -1,7 +1,8 @@
 //! `meshmend repair` of a file of several parts: each is mended by itself, in its own space.
 
-use meshmend::formats::{Document, Placing, PreparedDocument, WriteError};
-use meshmend::passes::{Emptying, PassError};
+use meshmend::formats::{Document, Part, PartSource, PartStatus, Placing, PreparedDocument, WriteError};
+use meshmend::mesh::{DraftError, Provenance};
+use meshmend::passes::{Emptying, NamedPart, PassError, joined_parts, named_parts};
 use meshmend::report::{CheckDocument, PartsDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
     Format, KernelKind, Loss, Pipeline, Plan, PolygonMesh, Repaired, Rules, Session, View, check_in,
@@ -11,6 +12,7 @@ use super::check::json_line;
 use super::repair::{Repair, Target};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::parts::ByWord;
 use crate::render;
 use crate::streams::{name, output_name, write_document};
 
@@ -52,16 +54,23 @@ impl Repair {
     pub(super) fn repair_parts(
         &self,
         document: Document,
-        chosen: &[usize],
         (plan, kernel, rules): (Plan, KernelKind, Rules),
         console: &mut Console<'_>,
     ) -> Result<Status, Failure> {
+        let named = self.parts.by.map(|by| Named::of(by, &document, &name(&self.input))).transpose()?;
+        let document = match &named {
+            Some(named) => named.by.document(document, named.parts.iter()),
+            None => document,
+        };
+        let chosen = self.parts.chosen(&document)?;
         let target = self.document_target(&document)?;
         // A file of parts can't hold one without faces: such a part is given back as it was.
         let plan = Plan { empty: Emptying::Refuse, ..plan };
         let work = Work { repair: self, target: target.as_ref(), plan, kernel, rules };
-        let mut repaired = work.all(document, chosen, console)?;
-        let prepared = target.as_ref().map(|target| prepared(target, &repaired.document)).transpose()?;
+        let (mut repaired, records) = work.all(document, &chosen, console)?;
+        let whole = named.as_ref().map(|named| named.joined(&repaired, &records)).transpose()?;
+        let written = whole.as_ref().unwrap_or(&repaired.document);
+        let prepared = target.as_ref().map(|target| prepared(target, written)).transpose()?;
         if let Some(prepared) = &prepared {
             repaired.losses = prepared.losses();
         }
@@ -109,14 +118,47 @@ fn prepared(target: &Target<'_>, document: &Document) -> Result<PreparedDocument
     Ok(PreparedDocument::placed(document, &target.options, Placing::Scene).map_err(failed)?)
 }
 
+/// Where the elements of each part were, for those that were repaired.
+type Records = Vec<Option<Provenance>>;
+
+/// A mesh that was taken apart by the names of its faces.
+struct Named {
+    by: ByWord,
+    whole: PolygonMesh,
+    parts: Vec<NamedPart>,
+}
+
+impl Named {
+    fn of(by: ByWord, document: &Document, file: &str) -> Result<Self, Failure> {
+        let whole = by.mesh(document, file)?;
+        let parts = named_parts(&whole, by.layer()).map_err(|error| Failure::of_pass(file, &error.into()))?;
+        Ok(Named { by, parts: parts.ok_or_else(|| by.no_names(file))?, whole })
+    }
+
+    /// The file with the whole mesh again, in which the parts are as they are now.
+    fn joined(&self, repaired: &RepairedFile, records: &Records) -> Result<Document, Failure> {
+        let same: Vec<Provenance> =
+            self.parts.iter().map(|part| Provenance::same(part.mesh.counts())).collect();
+        let now = self.parts.iter().zip(&repaired.document.parts).zip(records.iter().zip(&same));
+        let now: Vec<_> = now
+            .map(|((named, part), (record, same))| (named, &part.mesh, record.as_ref().unwrap_or(same)))
+            .collect();
+        let failed = |error: DraftError| Failure::of_pass(&repaired.name, &error.into());
+        let (mesh, _) = joined_parts(&self.whole, &now).map_err(failed)?;
+        let part = Part { name: Vec::new(), source: PartSource::Whole, mesh, status: PartStatus::Editable };
+        Ok(Document::of_parts(vec![part], repaired.document.clone()))
+    }
+}
+
 impl Work<'_> {
     fn all(
         &self,
         mut document: Document,
         chosen: &[usize],
         console: &mut Console<'_>,
-    ) -> Result<RepairedFile, Failure> {
+    ) -> Result<(RepairedFile, Records), Failure> {
         let (mut parts, mut emptied) = (Vec::new(), None);
+        let mut records: Records = vec![None; document.parts.len()];
         let progress = console.progress(chosen.len());
         for &number in chosen {
             let part = &document.parts[number];
@@ -126,7 +168,8 @@ impl Work<'_> {
                 continue;
             }
             match self.part(&part.mesh, document.format) {
-                Ok((report, mesh)) => {
+                Ok((report, mesh, record)) => {
+                    records[number] = Some(record);
                     parts.push((number, PartResult::Repaired(Box::new(report))));
                     document.parts[number].mesh = mesh;
                 }
@@ -142,7 +185,7 @@ impl Work<'_> {
             return Err(Failure::of_part(&name(&self.repair.input), &error));
         }
         let name = name(&self.repair.input);
-        Ok(RepairedFile { name, output: None, document, parts, losses: Vec::new() })
+        Ok((RepairedFile { name, output: None, document, parts, losses: Vec::new() }, records))
     }
 
     fn called(&self, document: &Document, part: usize) -> String {
@@ -150,7 +193,11 @@ impl Work<'_> {
     }
 
     /// Repairs a mesh.
-    fn part(&self, mesh: &PolygonMesh, format: Format) -> Result<(RepairDocument, PolygonMesh), PassError> {
+    fn part(
+        &self,
+        mesh: &PolygonMesh,
+        format: Format,
+    ) -> Result<(RepairDocument, PolygonMesh, Provenance), PassError> {
         let repair = self.repair;
         let pipeline = self.pipeline(mesh);
         let mut session = Session::begin(mesh);
@@ -165,8 +212,8 @@ impl Work<'_> {
         report.before = before;
         report.provenance = repair.report_maps.then(|| ProvenanceDocument::new(&repaired.provenance));
         report.after = Some(repair.after(&mut repaired, self.rules)?);
-        let Repaired { mesh, .. } = repaired;
-        Ok((report, mesh))
+        let Repaired { mesh, provenance, .. } = repaired;
+        Ok((report, mesh, provenance))
     }
 
     fn pipeline(&self, mesh: &PolygonMesh) -> Pipeline {

@@ -82,6 +82,12 @@ fn row(title: String, report: &CheckDocument, style: Style) -> Vec<String> {
         0 => style.good("nothing"),
         _ => style.bad(&kinds_with_counts(wrong.map(|group| (group.kind, group.count)))),
     };
+    let shared = report.shared_edges.as_ref().map_or(0, |shared| shared.count);
+    let verdict = match shared {
+        0 => verdict,
+        1 => format!("{verdict}; 1 edge is shared with other parts"),
+        _ => format!("{verdict}; {shared} edges are shared with other parts"),
+    };
     let figures = [report.topology.vertices, report.topology.faces].map(|figure| figure.to_string());
     let [vertices, faces] = figures;
     vec![title, vertices, faces, which(report), verdict]

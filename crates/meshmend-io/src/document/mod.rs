@@ -62,6 +62,11 @@ pub struct Part {
 pub enum PartSource {
     /// All of it.
     Whole,
+    /// The faces that have one name in a layer of the only mesh.
+    Named {
+        /// The layer.
+        layer: String,
+    },
     /// A mesh of a glTF file, by its index.
     GltfMesh(u32),
     /// An object of a 3MF file, by the model part that it is in and its id there.
@@ -87,6 +92,8 @@ impl Part {
     pub fn title(&self) -> String {
         let what = match &self.source {
             PartSource::Whole => "whole file".to_owned(),
+            PartSource::Named { layer } if self.name.is_empty() => return format!("no {layer}"),
+            PartSource::Named { layer } => layer.clone(),
             PartSource::GltfMesh(index) => format!("mesh {index}"),
             PartSource::ThreeMfObject { id, .. } => format!("object {id}"),
         };
@@ -115,6 +122,11 @@ impl From<ReadFile> for Document {
 }
 
 impl Document {
+    /// A file with other parts than it has.
+    pub fn of_parts(parts: Vec<Part>, of: Document) -> Self {
+        Document { parts, ..of }
+    }
+
     /// Whether the file is one mesh, as all files of formats without parts are.
     pub fn is_whole(&self) -> bool {
         matches!(&self.parts[..], [Part { source: PartSource::Whole, .. }])

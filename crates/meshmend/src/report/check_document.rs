@@ -1,12 +1,12 @@
 //! The document of a check.
 
-use meshmend_core::{DefectKind, Severity};
+use meshmend_core::{DefectKind, Severity, VertexId};
 use meshmend_io::{Note, ReadFile};
 use meshmend_repair::Distance;
 use meshmend_topology::TopologyReport;
 use serde::Serialize;
 
-use super::{PlacedDefect, SCHEMA};
+use super::{Listing, PlacedDefect, SCHEMA};
 use crate::{CheckReport, KernelVerdict, StoredCounts};
 
 /// What a check found, with every list cut to a limit. Vertices and faces have the numbers that they have as stored, also in a
@@ -34,6 +34,10 @@ pub struct CheckDocument {
     pub topology: TopologyReport,
     /// How many kinds of component there are in all.
     pub component_kinds_total: u64,
+    /// The edges with one side that other parts use too, by their ends as stored; they are not listed as boundary. Only
+    /// where a mesh was taken apart by the names of its faces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shared_edges: Option<Listing<[VertexId; 2]>>,
     /// What is wrong, by kind.
     pub defects: Vec<DefectGroup>,
     /// Which kernels hold the mesh.
@@ -79,6 +83,7 @@ impl CheckDocument {
             stored: report.stored,
             topology,
             component_kinds_total,
+            shared_edges: None,
             defects,
             kernels: report.kernels,
             notes: Vec::new(),

@@ -87,11 +87,17 @@ fn together(key: &str, values: &[&Value]) -> Value {
     if NOT_ADDED.contains(&key) {
         return all_same(values);
     }
+    if key == "items" {
+        return json!([]);
+    }
     let all = |is_fit: fn(&Value) -> bool| values.iter().all(|value| is_fit(value));
     if OF_ONE.contains(&key) {
         Value::Null
     } else if all(Value::is_boolean) {
-        values.iter().all(|value| **value == Value::Bool(true)).into()
+        let is_true = |value: &&Value| **value == Value::Bool(true);
+        // A file is changed when one of its parts is.
+        let verdict = if key == "changed" { values.iter().any(is_true) } else { values.iter().all(is_true) };
+        verdict.into()
     } else if all(Value::is_i64) {
         values.iter().filter_map(|value| value.as_i64()).sum::<i64>().into()
     } else if all(Value::is_object) {
@@ -163,7 +169,7 @@ mod tests {
     fn report(faces: u32, manifold: bool, defects: Value) -> Value {
         json!({
             "schema": 2, "faces": faces, "manifold": manifold, "genus": 0, "betti": [1, 0, faces], "view": "welded",
-            "defects": defects, "removed": {"count": faces, "items": [7]},
+            "defects": defects, "removed": {"count": faces, "items": [{"kind": "face"}]},
         })
     }
 
@@ -198,7 +204,7 @@ mod tests {
         let mut document = PartsDocument::default();
         document.add(0, &part(0, "Body"), &report(4, true, json!([]))).unwrap();
         let value = serde_json::to_value(&document).unwrap();
-        assert_eq!((&value["genus"], &value["removed"]["items"]), (&json!(0), &json!([7])));
+        assert_eq!((&value["genus"], &value["removed"]["items"]), (&json!(0), &json!([{"kind": "face"}])));
         assert_eq!(value["parts"][0]["genus"], 0);
     }
 }
