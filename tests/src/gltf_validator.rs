@@ -1,0 +1,59 @@
+//! The validator of glTF's makers, over many files in one run.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::OnceLock;
+
+use serde_json::Value;
+
+/// What the validator says of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Validated {
+    /// The codes of its errors, each with the place, sorted.
+    pub errors: Vec<String>,
+    /// How many triangles it has.
+    pub triangles: Option<u64>,
+}
+
+/// What the validator says of each file; `None`, and a message, where it is not installed (`npm ci` in `tests/node`).
+///
+/// # Panics
+/// If the validator fails.
+pub fn validated(files: &[PathBuf]) -> Option<Vec<Validated>> {
+    let script = script()?;
+    let mut answers = Vec::new();
+    for files in files.chunks(200) {
+        let output = Command::new("node").arg(&script).args(files).output().expect("node runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let text = String::from_utf8(output.stdout).expect("the validator prints UTF-8");
+        answers.extend(text.lines().map(|line| answer(&serde_json::from_str(line).expect("a line is JSON"))));
+    }
+    assert_eq!(answers.len(), files.len());
+    Some(answers)
+}
+
+fn answer(value: &Value) -> Validated {
+    let issues = value["issues"].as_array().into_iter().flatten();
+    let errors = issues.filter(|issue| issue["severity"] == 0);
+    let mut errors: Vec<String> = errors
+        .map(|issue| format!("{} at {}: {}", issue["code"], issue["pointer"], issue["message"]))
+        .collect();
+    errors.sort();
+    Validated { errors, triangles: value["triangles"].as_u64() }
+}
+
+/// The script, if node and the validator are there.
+fn script() -> Option<PathBuf> {
+    static FOUND: OnceLock<Option<PathBuf>> = OnceLock::new();
+    let find = || {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("node");
+        let is_installed = folder.join("node_modules/gltf-validator").is_dir();
+        let runs = || Command::new("node").arg("--version").output().is_ok_and(|run| run.status.success());
+        if is_installed && runs() {
+            return Some(folder.join("validate.js"));
+        }
+        println!("skipped: the glTF validator is not installed (npm ci in tests/node)");
+        None
+    };
+    FOUND.get_or_init(find).clone()
+}
