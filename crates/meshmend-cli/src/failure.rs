@@ -108,7 +108,11 @@ impl From<WriteError> for Failure {
             WriteErrorKind::Seams { .. } => Status::Refused,
             _ => Status::Unwritable,
         };
-        Failure { status, message: error.to_string() }
+        let hint = match error.kind {
+            WriteErrorKind::Occupied { .. } => "; --companions skip leaves it out",
+            _ => "",
+        };
+        Failure { status, message: format!("{error}{hint}") }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::ValueEnum;
-use meshmend::formats::{AttributePrecision, Shell};
+use meshmend::formats::{AttributePrecision, Companions, Shell};
 use meshmend::{Encoding, Format, ReadFile, Seams, WriteOptions};
 
 use crate::failure::{Failure, Status};
@@ -41,6 +41,18 @@ pub(crate) struct OutputWords {
     /// read that
     #[arg(long)]
     keep_double: bool,
+    /// What becomes of the files that the output names, such as material libraries and pictures, in another folder
+    #[arg(long, value_enum, default_value = "copy")]
+    companions: CompanionsWord,
+}
+
+/// What becomes of the files that the output names when it is written into another folder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum CompanionsWord {
+    /// They are copied, and made where the input holds them; no other file is ever overwritten
+    Copy,
+    /// They stay where they are, and none is made
+    Skip,
 }
 
 /// How a vertex is written whose attributes differ from face to face, where the format has them at the vertices.
@@ -110,7 +122,12 @@ impl OutputWords {
             true => AttributePrecision::Double,
             false => AttributePrecision::AsExpected,
         };
-        let mut options = WriteOptions::of(format).with_seams(seams).with_precision(precision);
+        let companions = match self.companions {
+            CompanionsWord::Copy => Companions::Copy,
+            CompanionsWord::Skip => Companions::Skip,
+        };
+        let options = WriteOptions::of(format).with_seams(seams).with_precision(precision);
+        let mut options = options.with_companions(companions);
         options.encoding = encoding;
         // In which folder a stream ends can't be known.
         Ok(if is_stream(path) { options } else { options.for_path(path) })

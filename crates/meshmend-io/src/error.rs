@@ -135,6 +135,12 @@ pub enum WriteErrorKind {
         /// How many vertices.
         vertices: u64,
     },
+    /// A file that is to stand beside the output has the name of another one, which is not overwritten.
+    #[error("`{name}` beside it is another file, and is not overwritten")]
+    Occupied {
+        /// Its name.
+        name: String,
+    },
     /// The file would hold more elements than a mesh can.
     #[error("{0}")]
     TooLarge(#[from] DraftError),
@@ -224,13 +230,17 @@ mod tests {
                 "2147483648 vertices are more than the 2147483648 that a table holds",
             ),
             (
+                WriteErrorKind::Occupied { name: "a.mtl".to_owned() },
+                "`a.mtl` beside it is another file, and is not overwritten",
+            ),
+            (
                 TooMuchPlaced { present: 6, placed: 18_000_000 }.into(),
                 "its meshes have 6 vertices and corners, but 18000000 as often as they are placed: too many for one mesh",
             ),
         ];
         assert_every_variant!(
             cases,
-            WriteErrorKind { UnknownFormat, NoSuchEncoding, Seams, TooLarge, Placed, Io }
+            WriteErrorKind { UnknownFormat, NoSuchEncoding, Seams, Occupied, TooLarge, Placed, Io }
         );
     }
 

@@ -43,7 +43,8 @@ mod text;
 mod write;
 
 pub use document::{
-    Document, Part, PartSource, PartStatus, Placement, Placing, PreparedDocument, TooMuchPlaced,
+    Document, Material, Part, PartSource, PartStatus, Picture, Placement, Placing, PreparedDocument,
+    TooMuchPlaced,
 };
 pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 pub use formats::encoding::Encoding;
@@ -56,7 +57,7 @@ pub use loss::{Loss, LossKind, LostLayer};
 pub use note::{Note, NoteKind};
 pub use output::atomic::{abandon_temporary_files, replace_file, target_of};
 pub use output::held::held_layers;
-pub use output::options::{AttributePrecision, Seams, WriteOptions};
+pub use output::options::{AttributePrecision, Companions, Seams, WriteOptions};
 pub use output::prepared::Prepared;
 pub use output::rounding::rounding_losses;
 pub use read::{read, read_bytes, read_document, read_document_bytes, read_document_stream, read_stream};

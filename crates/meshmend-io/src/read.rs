@@ -52,7 +52,9 @@ pub fn read_document(path: &Path, options: &ReadOptions) -> Result<Document, Rea
     let bytes = take_in(bytes, file, announced, Most::of(announced, limits)).map_err(failed)?;
     let folder = Folder::of(path);
     let document = read_as(&bytes, Named { name: &name, path, folder: folder.as_ref() }, options)?;
-    Ok((driver(document.format).look_beside)(document, path))
+    let mut document = (driver(document.format).look_beside)(document, path);
+    document.shell = document.shell.in_folder(folder.map(Folder::into_path));
+    Ok(document)
 }
 
 /// Reads a mesh from bytes. The name is used as in [`read`] to find the format, and in errors.

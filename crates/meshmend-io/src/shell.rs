@@ -5,18 +5,27 @@
 
 use std::any::Any;
 use std::fmt;
-use std::path::Path;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
 
 use crate::document::{Document, Placement};
-use crate::{Encoding, Format, Loss, WriteErrorKind, WriteOptions};
+use crate::{Encoding, Format, Loss, Material, WriteErrorKind, WriteOptions};
 
 /// How a file was written: its format, its encoding, and what else its format lets a writer choose.
 ///
 /// Cloning is O(1).
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Shell {
     file: Option<Arc<FileForm>>,
+    /// The folder of the file, if it was read from one.
+    folder: Option<Arc<PathBuf>>,
+}
+
+/// Two shells are equal when their files were written alike, wherever they are.
+impl PartialEq for Shell {
+    fn eq(&self, other: &Self) -> bool {
+        self.file == other.file
+    }
 }
 
 #[derive(Debug)]
@@ -24,6 +33,8 @@ struct FileForm {
     format: Format,
     encoding: Encoding,
     shape: Box<dyn Shape>,
+    /// What the materials look like, once that was asked for.
+    materials: OnceLock<Arc<[Material]>>,
 }
 
 /// The choices of a format that a file shows. Each format has its own type for them.
@@ -32,7 +43,17 @@ pub(crate) trait Shape: Any + fmt::Debug + Send + Sync {
     fn is_same(&self, other: &dyn Shape) -> bool;
 
     /// What the file has beside its mesh and an output won't carry.
-    fn losses_in(&self, output: Output<'_>) -> Vec<Loss>;
+    fn losses_in(&self, output: Output) -> Vec<Loss>;
+
+    /// What the materials that the file names look like.
+    fn materials(&self) -> Vec<Material> {
+        Vec::new()
+    }
+
+    /// The files in its folder that it names and that exist.
+    fn companions(&self) -> Vec<NamedFile> {
+        Vec::new()
+    }
 
     /// Where the file puts its parts, one entry for each time that it does, in file order. `None`: each part stands
     /// once, as it is.
@@ -45,6 +66,26 @@ pub(crate) trait Shape: Any + fmt::Debug + Send + Sync {
     fn splice(&self, _: &Document, _: &Splice<'_>) -> Option<Result<Spliced, WriteErrorKind>> {
         None
     }
+}
+
+/// A file that another one names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct NamedFile {
+    /// Its name, as a path below the folder.
+    pub(crate) name: Vec<u8>,
+    pub(crate) content: NamedContent,
+}
+
+/// What a named file holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NamedContent {
+    /// What materials look like.
+    Materials,
+    /// A picture.
+    Picture,
+    /// Numbers of the meshes.
+    #[allow(dead_code, reason = "glTF has them")]
+    Buffer,
 }
 
 /// What a file that is written from the one that was read is to be.
@@ -64,7 +105,6 @@ pub(crate) struct Spliced {
     /// What it does not carry.
     pub(crate) losses: Vec<Loss>,
     /// The files that must stand beside it: their names below the folder, and what is in them.
-    #[expect(dead_code, reason = "written by formats of several files")]
     pub(crate) companions: Vec<(Vec<u8>, Vec<u8>)>,
 }
 
@@ -77,30 +117,42 @@ impl Shape for NoChoices {
         other.downcast() == Some(self)
     }
 
-    fn losses_in(&self, _: Output<'_>) -> Vec<Loss> {
+    fn losses_in(&self, _: Output) -> Vec<Loss> {
         Vec::new()
     }
 }
 
 /// The shape of a mesh that was made of all that a file places: what is lost by that.
 #[derive(Debug, PartialEq)]
-struct Scene(Vec<Loss>);
+struct Scene {
+    losses: Vec<Loss>,
+    materials: Vec<Material>,
+    companions: Vec<NamedFile>,
+}
 
 impl Shape for Scene {
     fn is_same(&self, other: &dyn Shape) -> bool {
         other.downcast() == Some(self)
     }
 
-    fn losses_in(&self, _: Output<'_>) -> Vec<Loss> {
-        self.0.clone()
+    fn losses_in(&self, _: Output) -> Vec<Loss> {
+        self.losses.clone()
+    }
+
+    fn materials(&self) -> Vec<Material> {
+        self.materials.clone()
+    }
+
+    fn companions(&self) -> Vec<NamedFile> {
+        self.companions.clone()
     }
 }
 
 /// What is to be written from a mesh that was read from a file.
 #[derive(Clone, Copy)]
-pub(crate) enum Output<'a> {
-    /// In its own format, in this folder if that is known.
-    OfSameFormat(Option<&'a Path>),
+pub(crate) enum Output {
+    /// In its own format.
+    OfSameFormat,
     /// In another format.
     OfOtherFormat,
 }
@@ -120,14 +172,44 @@ impl PartialEq for FileForm {
 
 impl Shell {
     pub(crate) fn of_file(format: Format, encoding: Encoding, shape: impl Shape) -> Self {
-        Shell { file: Some(Arc::new(FileForm { format, encoding, shape: Box::new(shape) })) }
+        let (shape, materials) = (Box::new(shape), OnceLock::new());
+        Shell { file: Some(Arc::new(FileForm { format, encoding, shape, materials })), folder: None }
+    }
+
+    /// This shell, for a file in a folder.
+    pub(crate) fn in_folder(self, folder: Option<PathBuf>) -> Self {
+        Shell { folder: folder.map(Arc::new), ..self }
+    }
+
+    /// The folder of the file, if it was read from one.
+    pub(crate) fn folder(&self) -> Option<&Path> {
+        self.folder.as_ref().map(|folder| &***folder)
     }
 
     /// The shell of one mesh of all that a file places: no file of the format can be spliced from it, and what else
     /// the file holds is lost in every format.
     pub(crate) fn of_scene(shell: &Shell) -> Self {
         let Some(file) = &shell.file else { return Shell::default() };
-        Shell::of_file(file.format, file.encoding, Scene(file.shape.losses_in(Output::OfOtherFormat)))
+        let scene = Scene {
+            losses: file.shape.losses_in(Output::OfOtherFormat),
+            materials: shell.materials().to_vec(),
+            companions: file.shape.companions(),
+        };
+        Shell { folder: shell.folder.clone(), ..Shell::of_file(file.format, file.encoding, scene) }
+    }
+
+    /// What the materials that the file names look like.
+    ///
+    /// *Cost*: constant, but for the first time.
+    pub(crate) fn materials(&self) -> Arc<[Material]> {
+        let of_file =
+            |file: &Arc<FileForm>| file.materials.get_or_init(|| file.shape.materials().into()).clone();
+        self.file.as_ref().map(of_file).unwrap_or_default()
+    }
+
+    /// The files in its folder that it names and that exist.
+    pub(crate) fn companions(&self) -> Vec<NamedFile> {
+        self.file.as_ref().map_or_else(Vec::new, |file| file.shape.companions())
     }
 
     /// The format of the file, if there was one.
@@ -159,10 +241,10 @@ impl Shell {
         self.file.as_ref().and_then(|file| file.shape.splice(document, splice))
     }
 
-    /// What the file has beside its mesh and a file of another kind, in this folder if it is known, won't carry.
-    pub(crate) fn losses_in(&self, format: Format, folder: Option<&Path>) -> Vec<Loss> {
+    /// What the file has beside its mesh and a file of another kind won't carry.
+    pub(crate) fn losses_in(&self, format: Format) -> Vec<Loss> {
         let Some(file) = &self.file else { return Vec::new() };
-        let output = if file.format == format { Output::OfSameFormat(folder) } else { Output::OfOtherFormat };
+        let output = if file.format == format { Output::OfSameFormat } else { Output::OfOtherFormat };
         file.shape.losses_in(output)
     }
 }

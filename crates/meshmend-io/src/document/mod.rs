@@ -3,6 +3,7 @@
 //! A file of OBJ, PLY, STL or OFF is one mesh. One of glTF or 3MF has several, and much that is no mesh. A document
 //! holds each mesh as a part, in its own space; its [shell](crate::Shell) holds the rest.
 
+mod material;
 mod merged_layers;
 mod placed;
 mod placement;
@@ -12,6 +13,7 @@ use std::sync::Arc;
 
 use meshmend_core::PolygonMesh;
 
+pub use self::material::{Material, Picture};
 pub use self::placed::TooMuchPlaced;
 pub use self::placement::{Placement, Placing};
 pub use self::prepared::PreparedDocument;

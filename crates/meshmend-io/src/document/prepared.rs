@@ -4,9 +4,10 @@ use std::io;
 use std::path::Path;
 
 use crate::document::Placing;
+use crate::output::companions::{self, Companion, write_with};
 use crate::shell::{Splice, Spliced};
 use crate::{
-    Document, Encoding, Format, Loss, Prepared, WriteError, WriteErrorKind, WriteOptions, replace_file,
+    Companions, Document, Encoding, Format, Loss, Prepared, WriteError, WriteErrorKind, WriteOptions,
 };
 
 /// A document as a file will hold it, ready to be written.
@@ -20,7 +21,7 @@ pub struct PreparedDocument {
 #[derive(Clone, Debug)]
 enum Content {
     /// The file as it was read, with what changed.
-    Spliced(Spliced),
+    Spliced { spliced: Spliced, companions: Vec<Companion> },
     /// A new file of one mesh.
     New(Box<Prepared>),
 }
@@ -48,7 +49,8 @@ impl PreparedDocument {
     ) -> Result<Self, WriteErrorKind> {
         let (format, encoding) = options.resolved()?;
         if let Some(spliced) = document.shell.splice(document, &Splice { format, options }) {
-            return Ok(PreparedDocument { format, encoding, content: Content::Spliced(spliced?) });
+            let content = Content::of_spliced(spliced?, &options.clone().with_shell(document.shell.clone()));
+            return Ok(PreparedDocument { format, encoding, content });
         }
         let file = document.clone().into_mesh(placing)?;
         let prepared = Prepared::new(&file.mesh, &options.clone().as_read(&file))?;
@@ -70,21 +72,20 @@ impl PreparedDocument {
     /// *Cost*: that of [`Prepared::losses`].
     pub fn losses(&self) -> Vec<Loss> {
         match &self.content {
-            Content::Spliced(spliced) => spliced.losses.clone(),
+            Content::Spliced { spliced, .. } => spliced.losses.clone(),
             Content::New(prepared) => prepared.losses(),
         }
     }
 
-    /// Writes it to a file, whole or not at all (see [`replace_file`]).
+    /// Writes it to a file, whole or not at all (see [`replace_file`](crate::replace_file)).
     ///
     /// # Errors
     /// As [`Prepared::write`].
     pub fn write(&self, path: &Path) -> Result<(), WriteError> {
         match &self.content {
-            Content::Spliced(spliced) => {
-                let failed =
-                    |error| WriteError { file: path.display().to_string(), kind: WriteErrorKind::Io(error) };
-                replace_file(path, |out| out.write_all(&spliced.bytes)).map_err(failed)
+            Content::Spliced { spliced, companions } => {
+                let failed = |kind| WriteError { file: path.display().to_string(), kind };
+                write_with(path, companions, |out| Ok(out.write_all(&spliced.bytes)?)).map_err(failed)
             }
             Content::New(prepared) => prepared.write(path),
         }
@@ -96,12 +97,31 @@ impl PreparedDocument {
     /// As [`Prepared::encode`].
     pub fn encode(&self, out: &mut dyn io::Write) -> Result<(), WriteError> {
         match &self.content {
-            Content::Spliced(spliced) => {
+            Content::Spliced { spliced, .. } => {
                 let failed =
                     |error| WriteError { file: "output".to_owned(), kind: WriteErrorKind::Io(error) };
                 out.write_all(&spliced.bytes).map_err(failed)
             }
             Content::New(prepared) => prepared.encode(out),
         }
+    }
+}
+
+impl Content {
+    /// A file that was spliced, with the files that it names: those that were made, and copies of the others.
+    fn of_spliced(mut spliced: Spliced, options: &WriteOptions) -> Self {
+        let named = options.shell.companions();
+        let made = |name: &[u8]| spliced.companions.iter().any(|(other, _)| other == name);
+        let others: Vec<&[u8]> = named.iter().map(|file| &file.name[..]).filter(|name| !made(name)).collect();
+        let mut companions = options.copies(others.into_iter());
+        spliced.losses.extend(options.stay_loss(&named));
+        if options.companions == Companions::Copy {
+            let made = spliced.companions.iter().map(|(name, bytes)| Companion {
+                name: name.clone(),
+                content: companions::Content::Bytes(bytes.clone().into()),
+            });
+            companions.extend(made);
+        }
+        Content::Spliced { spliced, companions }
     }
 }

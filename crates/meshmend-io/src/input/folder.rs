@@ -53,6 +53,11 @@ impl Folder {
         Some(Folder { path, opened: Mutex::default() })
     }
 
+    /// A folder whose path is canonical.
+    pub(crate) fn at(path: &Path) -> Self {
+        Folder { path: path.to_owned(), opened: Mutex::default() }
+    }
+
     /// Where the folder is.
     pub(crate) fn into_path(self) -> PathBuf {
         self.path

@@ -1,6 +1,7 @@
 //! What writers of all formats share.
 
 pub(crate) mod atomic;
+pub(crate) mod companions;
 pub(crate) mod held;
 pub(crate) mod layer_losses;
 pub(crate) mod options;

@@ -1,9 +1,10 @@
 //! How to write.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::paths::folder_of;
-use crate::{Encoding, Format, ReadFile, Shell, WriteErrorKind};
+use crate::{Encoding, Format, Material, ReadFile, Shell, WriteErrorKind};
 
 /// How to write.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,8 +21,26 @@ pub struct WriteOptions {
     pub seams: Seams,
     /// The precision of attributes that come from another format.
     pub precision: AttributePrecision,
-    /// The folder of the output, if it is known: files that the input names may be missing there.
+    /// The folder of the output, if it is known: files that the output names stand there.
     pub folder: Option<PathBuf>,
+    /// The name of the output without its extension, if it is known: files that are made beside it begin so.
+    pub stem: Option<String>,
+    /// What becomes of the files that the output names.
+    pub companions: Companions,
+    /// What materials look like; by default as the file says that the mesh comes from.
+    pub materials: Option<Arc<[Material]>>,
+}
+
+/// What becomes of the files that an output names, such as material libraries and pictures, when it is written into
+/// another folder than that of the input.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Companions {
+    /// They are copied, and those that are made from the input are written. A different file is never overwritten.
+    #[default]
+    Copy,
+    /// They stay where they are, and none is made.
+    Skip,
 }
 
 /// What becomes of a vertex whose attributes differ from corner to corner, in a format whose programs look for
@@ -72,6 +91,16 @@ impl WriteOptions {
         WriteOptions { precision, ..self }
     }
 
+    /// These options with another choice for the files that the output names.
+    pub fn with_companions(self, companions: Companions) -> Self {
+        WriteOptions { companions, ..self }
+    }
+
+    /// These options, for a mesh whose materials look so.
+    pub fn with_materials(self, materials: impl Into<Arc<[Material]>>) -> Self {
+        WriteOptions { materials: Some(materials.into()), ..self }
+    }
+
     /// These options, for a mesh that comes from a file with this shell.
     pub fn with_shell(self, shell: Shell) -> Self {
         WriteOptions { shell, ..self }
@@ -85,7 +114,8 @@ impl WriteOptions {
     /// These options with the folder of a file, and with the format of its name if they name none.
     pub fn for_path(self, path: &Path) -> Self {
         let format = self.format.or_else(|| Format::from_path(path));
-        WriteOptions { format, folder: Some(folder_of(path).to_owned()), ..self }
+        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        WriteOptions { format, folder: Some(folder_of(path).to_owned()), stem, ..self }
     }
 
     /// The format and the encoding that follow from these options.

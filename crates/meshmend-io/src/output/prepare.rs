@@ -6,7 +6,9 @@ use std::path::Path;
 use meshmend_core::PolygonMesh;
 
 use crate::formats::drivers::driver;
-use crate::{Loss, Prepared, WriteError, WriteErrorKind, WriteOptions, replace_file};
+use crate::output::companions::{unnamed_loss, write_with};
+use crate::shell::{NamedContent, NamedFile};
+use crate::{Loss, Prepared, WriteError, WriteErrorKind, WriteOptions};
 
 impl Prepared {
     /// Makes a mesh ready. The options must name a format.
@@ -25,10 +27,17 @@ impl Prepared {
             options: options.clone(),
             losses: Vec::new(),
             record: None,
+            companions: Vec::new(),
+            taken: Vec::new(),
             at_vertices: Vec::new(),
         };
         prepared.turn_textures()?;
         (driver(format).prepare)(&mut prepared)?;
+        if options.shell.format() == Some(format) {
+            prepared.taken.extend(options.shell.companions().into_iter().map(|file| file.name));
+        }
+        let copies = options.copies(prepared.taken.iter().map(|name| &name[..]));
+        prepared.companions.extend(copies);
         Ok(prepared)
     }
 
@@ -38,19 +47,32 @@ impl Prepared {
     pub fn losses(&self) -> Vec<Loss> {
         let mut losses = self.losses.clone();
         losses.extend((driver(self.format).losses)(self));
-        losses.extend(self.options.shell.losses_in(self.format, self.options.folder.as_deref()));
+        losses.extend(self.options.shell.losses_in(self.format));
+        losses.extend(self.companion_losses());
         losses
     }
 
-    /// Writes it to a file, whole or not at all (see [`replace_file`]).
+    /// Writes it to a file, whole or not at all (see [`replace_file`](crate::replace_file)), and the files that are to
+    /// stand beside it.
     ///
     /// # Errors
-    /// If the mesh is too large for the format or the system can't write. An old file then stays as it was.
+    /// If the mesh is too large for the format, the system can't write, or another file has the name of one that is to
+    /// stand beside it. All old files then stay as they were.
     ///
     /// *Cost*: linear; a small buffer.
     pub fn write(&self, path: &Path) -> Result<(), WriteError> {
         let failed = |kind| WriteError { file: path.display().to_string(), kind };
-        replace_file(path, |out| (driver(self.format).encode)(self, out)).map_err(failed)
+        write_with(path, &self.companions, |out| (driver(self.format).encode)(self, out)).map_err(failed)
+    }
+
+    /// The losses of the files that the input names.
+    fn companion_losses(&self) -> impl Iterator<Item = Loss> {
+        let files = self.options.shell.companions();
+        let (taken, left): (Vec<NamedFile>, Vec<NamedFile>) =
+            files.into_iter().partition(|file| self.taken.contains(&file.name));
+        let is_lost = |file: &&NamedFile| file.content != NamedContent::Buffer;
+        let left: Vec<&[u8]> = left.iter().filter(is_lost).map(|file| &file.name[..]).collect();
+        self.options.stay_loss(&taken).into_iter().chain(unnamed_loss(&left))
     }
 
     /// Writes it to any sink.

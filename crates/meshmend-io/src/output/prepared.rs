@@ -1,9 +1,12 @@
 //! A mesh that is ready to be written.
 
+use std::sync::Arc;
+
 use meshmend_core::{Draft, DraftError, PolygonMesh, Provenance, Sources};
 
+use crate::output::companions::Companion;
 use crate::shell::Shape;
-use crate::{Encoding, Format, Loss, WriteOptions};
+use crate::{Encoding, Format, Loss, Material, WriteOptions};
 
 /// A mesh as one format will hold it, ready to be written.
 ///
@@ -30,6 +33,10 @@ pub struct Prepared {
     pub(crate) losses: Vec<Loss>,
     /// Where its elements were in the given mesh, if vertices are written more than once or faces are cut.
     pub(crate) record: Option<Provenance>,
+    /// The files that are to stand beside it, as far as they are not there.
+    pub(crate) companions: Vec<Companion>,
+    /// Which of the files that the input names the output names as well, or holds.
+    pub(crate) taken: Vec<Vec<u8>>,
     /// The places of the layers that were moved from the corners to the vertices.
     pub(crate) at_vertices: Vec<usize>,
 }
@@ -80,6 +87,12 @@ impl Prepared {
             None => record,
         };
         (self.mesh, self.record) = (mesh, Some(whole));
+    }
+
+    /// What the materials look like, as the options say or else the file that the mesh comes from.
+    #[allow(dead_code, reason = "the writers of materials ask for it")]
+    pub(crate) fn materials(&self) -> Arc<[Material]> {
+        self.options.materials.clone().unwrap_or_else(|| self.options.shell.materials())
     }
 
     /// The choices of the file that the mesh comes from, if it has the format of this type.

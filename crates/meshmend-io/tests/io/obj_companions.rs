@@ -6,7 +6,8 @@ use std::path::Path;
 use crate::common::{Folder, read as read_as, with_mesh};
 use meshmend_core::{Carry, Domain, Layer, Values};
 use meshmend_io::{
-    Format, Loss, LossKind, NoteKind, ReadFile, ReadOptions, WriteOptions, encode, losses, read,
+    Companions, Format, Loss, LossKind, NoteKind, ReadFile, ReadOptions, WriteErrorKind, WriteOptions,
+    encode, losses, read, write,
 };
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
@@ -32,7 +33,8 @@ fn notes(file: &ReadFile) -> Vec<(NoteKind, &str)> {
 }
 
 fn left_behind(file: &ReadFile, path: &Path) -> Vec<String> {
-    let losses = losses(&file.mesh, &WriteOptions::default().as_read(file).for_path(path));
+    let options = WriteOptions::default().with_companions(Companions::Skip);
+    let losses = losses(&file.mesh, &options.as_read(file).for_path(path));
     let companions = losses.into_iter().filter(|loss| loss.kind == LossKind::Companion);
     companions.map(|loss| format!("{} {}", loss.count, loss.message)).collect()
 }
@@ -86,7 +88,7 @@ fn a_link_that_leads_out_and_a_pipe_are_not_opened() {
 }
 
 #[test]
-fn what_the_output_will_not_find_is_a_loss() {
+fn what_is_not_copied_and_what_the_output_does_not_name_is_a_loss() {
     let files = [("a.mtl", "newmtl red\nmap_Kd red.png\n"), ("red.png", "pixels")];
     let given = folder("left", "mtllib a.mtl", &files);
     let other = Folder::new("left-output");
@@ -129,4 +131,91 @@ fn a_colour_has_a_fourth_number_only_where_it_was_read_with_one() {
     let (text, losses) = written(&with_mesh(file, mesh), &options);
     assert_eq!(text, "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\n");
     assert_eq!(losses.iter().map(|loss| loss.kind).collect::<Vec<_>>(), [LossKind::Converted]);
+}
+
+/// The files of a folder and those below it, with their content.
+fn files(folder: &Path) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let name = path.strip_prefix(folder).unwrap().to_string_lossy().into_owned();
+                found.push((name, String::from_utf8_lossy(&fs::read(path).unwrap()).into_owned()));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+fn names_in(folder: &Path) -> Vec<String> {
+    files(folder).into_iter().map(|(name, _)| name).collect()
+}
+
+/// A mesh with a library and two maps, one of them in a folder.
+fn textured(name: &str) -> Folder {
+    let library = "newmtl red\nmap_Kd red.png\nmap_Ks maps\\shine.png\nnewmtl unused\nmap_Kd ../out.png\n";
+    folder(name, "mtllib a.mtl", &[("a.mtl", library), ("red.png", "pixels"), ("maps/shine.png", "light")])
+}
+
+#[test]
+fn what_an_output_names_is_copied_into_its_folder() {
+    let (given, other) = (textured("copied"), Folder::new("copied-output"));
+    let file = read_in(&given);
+    let options = WriteOptions::default().as_read(&file);
+    let output = other.0.join("b.obj");
+    for _ in 0..2 {
+        // The second time all of it is there already.
+        assert_eq!(write(&output, &file.mesh, &options).unwrap(), []);
+        assert_eq!(names_in(&other.0), ["a.mtl", "b.obj", "maps/shine.png", "red.png"]);
+    }
+    assert_eq!(fs::read(other.0.join("a.mtl")).unwrap(), fs::read(given.0.join("a.mtl")).unwrap());
+    // Into the same folder nothing is copied, and the same file by another way is the same folder.
+    let before = names_in(&given.0);
+    write(&given.0.join("maps/../b.obj"), &file.mesh, &options).unwrap();
+    assert_eq!(names_in(&given.0).len(), before.len() + 1);
+    // Asked to skip, or in another format, nothing is copied.
+    let skipped = Folder::new("copied-skipped");
+    let losses =
+        write(&skipped.0.join("b.obj"), &file.mesh, &options.clone().with_companions(Companions::Skip));
+    assert_eq!(losses.unwrap()[0].kind, LossKind::Companion);
+    write(&skipped.0.join("b.ply"), &file.mesh, &options).unwrap();
+    assert_eq!(names_in(&skipped.0), ["b.obj", "b.ply"]);
+}
+
+#[test]
+fn a_different_file_is_never_overwritten_and_then_nothing_is_written() {
+    let (given, other) = (textured("occupied"), Folder::new("occupied-output"));
+    let file = read_in(&given);
+    fs::create_dir(other.0.join("maps")).unwrap();
+    fs::write(other.0.join("maps/shine.png"), "other").unwrap();
+    fs::write(other.0.join("b.obj"), "old").unwrap();
+    let before = files(&other.0);
+    let error =
+        write(&other.0.join("b.obj"), &file.mesh, &WriteOptions::default().as_read(&file)).unwrap_err();
+    assert!(matches!(&error.kind, WriteErrorKind::Occupied { name } if name == "maps\\shine.png"), "{error}");
+    assert_eq!(files(&other.0), before);
+}
+
+#[cfg(unix)]
+#[test]
+fn no_link_leads_a_copy_out_of_the_folder_of_the_output() {
+    let (given, other, away) = (textured("led"), Folder::new("led-output"), Folder::new("led-away"));
+    let file = read_in(&given);
+    let options = WriteOptions::default().as_read(&file);
+    std::os::unix::fs::symlink(&away.0, other.0.join("maps")).unwrap();
+    let error = write(&other.0.join("b.obj"), &file.mesh, &options).unwrap_err();
+    assert!(matches!(&error.kind, WriteErrorKind::Occupied { .. }), "{error}");
+    // A link under the very name is not followed either, not even to nothing.
+    fs::remove_file(other.0.join("maps")).unwrap();
+    std::os::unix::fs::symlink(away.0.join("x.png"), other.0.join("red.png")).unwrap();
+    assert!(write(&other.0.join("b.obj"), &file.mesh, &options).is_err());
+    assert_eq!((names_in(&away.0).len(), other.0.join("b.obj").exists()), (0, false));
+    // A device has nothing beside it.
+    write(Path::new("/dev/null"), &file.mesh, &WriteOptions::of(Format::Obj).as_read(&file)).unwrap();
+    assert!(!Path::new("/dev/a.mtl").exists());
 }

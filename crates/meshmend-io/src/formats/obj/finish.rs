@@ -14,7 +14,7 @@ impl Reader<'_> {
         if !self.is_obj {
             return Err(self.source.malformed(Place::Line(1), "no statement of an OBJ file"));
         }
-        let shape = ObjShape { has_alpha: self.colors.has_alpha(), companions: None };
+        let shape = ObjShape { has_alpha: self.colors.has_alpha(), ..ObjShape::default() };
         self.vertex_layers();
         let texcoords = self.corner_layers();
         self.name_layers();

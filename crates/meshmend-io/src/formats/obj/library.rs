@@ -28,7 +28,8 @@ pub(super) fn images(text: &[u8]) -> impl Iterator<Item = [&[u8]; 2]> {
     text.split(|&byte| byte == b'\n' || byte == b'\r').filter_map(image)
 }
 
-fn image(line: &[u8]) -> Option<[&[u8]; 2]> {
+/// The image that a line names, in two readings.
+pub(super) fn image(line: &[u8]) -> Option<[&[u8]; 2]> {
     let line = trimmed(line);
     let keyword = word(line, 0).to_ascii_lowercase();
     if !keyword.starts_with(b"map_") && !WITH_IMAGE.contains(&&keyword[..]) {
@@ -39,7 +40,8 @@ fn image(line: &[u8]) -> Option<[&[u8]; 2]> {
     (!name.is_empty()).then_some([name, last])
 }
 
-fn without_options(mut rest: &[u8]) -> &[u8] {
+/// A text without the options that it begins with.
+pub(super) fn without_options(mut rest: &[u8]) -> &[u8] {
     while let Some((_, most)) = OPTIONS.iter().find(|(option, _)| *option == word(rest, 0)) {
         rest = after_word(rest);
         for value in 0..*most {

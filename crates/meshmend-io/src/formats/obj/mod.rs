@@ -20,6 +20,7 @@ pub(crate) mod facts;
 mod finish;
 mod library;
 mod loose_parts;
+mod materials;
 mod name_statements;
 mod pools;
 mod read;

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use crate::formats::obj::companions::{self, Companions};
-use crate::shell::{Output, Shape};
-use crate::{Document, Loss, Prepared, Shell};
+use crate::formats::obj::companions;
+use crate::shell::{NamedFile, Output, Shape};
+use crate::{Document, Loss, Material, Prepared, Shell};
 
 /// What an OBJ file's writer chose, and which other files the file names.
 #[derive(Debug, Default, PartialEq)]
@@ -12,8 +12,10 @@ pub(super) struct ObjShape {
     /// Whether colours have a fourth number. Most other programs misread a vertex of seven numbers, so the number is
     /// written only where it was there.
     pub(super) has_alpha: bool,
-    /// The files that the file names, if any of them exist.
-    pub(super) companions: Option<Companions>,
+    /// The files that it names and that exist.
+    pub(super) companions: Vec<NamedFile>,
+    /// What their materials look like.
+    pub(super) materials: Vec<Material>,
 }
 
 impl ObjShape {
@@ -31,9 +33,16 @@ impl Shape for ObjShape {
         other.downcast() == Some(self)
     }
 
-    fn losses_in(&self, output: Output<'_>) -> Vec<Loss> {
-        let loss = |companions| companions::loss(companions, output);
-        self.companions.as_ref().and_then(loss).into_iter().collect()
+    fn losses_in(&self, _: Output) -> Vec<Loss> {
+        Vec::new()
+    }
+
+    fn materials(&self) -> Vec<Material> {
+        self.materials.clone()
+    }
+
+    fn companions(&self) -> Vec<NamedFile> {
+        self.companions.clone()
     }
 }
 
@@ -47,9 +56,10 @@ pub(super) fn look_beside(mut document: Document, path: &Path) -> Document {
     let found = companions::look_for(&libraries, path);
     document.notes.extend(found.notes);
     document.notes.sort_by_key(|note| note.kind);
-    if let (companions @ Some(_), Some(encoding)) = (found.companions, document.shell.encoding()) {
+    if let (false, Some(encoding)) = (found.companions.is_empty(), document.shell.encoding()) {
         let has_alpha = document.shell.shape().is_some_and(|shape: &ObjShape| shape.has_alpha);
-        document.shell = Shell::of_file(document.format, encoding, ObjShape { has_alpha, companions });
+        let shape = ObjShape { has_alpha, companions: found.companions, materials: found.materials };
+        document.shell = Shell::of_file(document.format, encoding, shape);
     }
     document
 }

@@ -15,7 +15,7 @@ impl Shape for OffShape {
         other.downcast() == Some(self)
     }
 
-    fn losses_in(&self, _: Output<'_>) -> Vec<Loss> {
+    fn losses_in(&self, _: Output) -> Vec<Loss> {
         Vec::new()
     }
 }

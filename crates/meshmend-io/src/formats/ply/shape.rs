@@ -151,8 +151,8 @@ impl Shape for PlyShape {
     }
 
     /// In another format, the elements that a PLY file would carry.
-    fn losses_in(&self, output: Output<'_>) -> Vec<Loss> {
-        if let Output::OfSameFormat(_) = output {
+    fn losses_in(&self, output: Output) -> Vec<Loss> {
+        if let Output::OfSameFormat = output {
             return Vec::new();
         }
         let tables =

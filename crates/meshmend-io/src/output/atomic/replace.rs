@@ -5,7 +5,7 @@
 //! removed. A run that is killed may leave its temporary file behind. The next run that writes to the same target
 //! removes it.
 
-use std::fs::{self, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -43,33 +43,66 @@ fn replace_file_on<E: From<io::Error>>(
     path: &Path,
     fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
 ) -> Result<(), E> {
-    let old = match fs::metadata(path) {
-        Ok(old) => Some(old),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(error.into()),
-    };
-    if old.as_ref().is_some_and(fs::Metadata::is_dir) {
-        return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
+    match Place::of(path)? {
+        Place::Device(mut device) => {
+            fill(&mut device)?;
+            Ok(device.flush()?)
+        }
+        Place::File { target, old } => {
+            let temporary = filled(system, &target, old.as_ref(), fill)?;
+            Ok(temporary.take_the_name_of(&target)?)
+        }
     }
-    if old.as_ref().is_some_and(|old| !old.is_file()) {
-        let mut device = OpenOptions::new().write(true).open(path)?;
-        fill(&mut device)?;
-        return Ok(device.flush()?);
-    }
-    if old.as_ref().is_some_and(|old| old.permissions().readonly()) {
-        return Err(io::Error::from(io::ErrorKind::PermissionDenied).into());
-    }
-    if old.is_some() {
-        // Renaming needs the permission of the folder alone, but a file that must not be written must not be
-        // replaced.
+}
+
+/// What is to be written under a name.
+pub(super) enum Place {
+    /// A pipe, a device and the like.
+    Device(File),
+    /// A file, and how the old one stands if there is one.
+    File { target: PathBuf, old: Option<Standing> },
+}
+
+impl Place {
+    /// What a name leads to.
+    ///
+    /// # Errors
+    /// If it is a folder, or a file that must not be written.
+    pub(super) fn of(path: &Path) -> io::Result<Self> {
+        let old = match fs::metadata(path) {
+            Ok(old) => old,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Ok(Place::File { target: end_of_links(path), old: None });
+            }
+            Err(error) => return Err(error),
+        };
+        if old.is_dir() {
+            return Err(io::Error::from(io::ErrorKind::IsADirectory));
+        }
+        if !old.is_file() {
+            return Ok(Place::Device(OpenOptions::new().write(true).open(path)?));
+        }
+        if old.permissions().readonly() {
+            return Err(io::Error::from(io::ErrorKind::PermissionDenied));
+        }
+        // Renaming needs the permission of the folder alone, but a file that must not be written must not be replaced.
         OpenOptions::new().write(true).open(path)?;
+        Ok(Place::File { target: fs::canonicalize(path)?, old: Some(Standing::of(&old)) })
     }
-    let target = if old.is_some() { fs::canonicalize(path)? } else { end_of_links(path) };
-    let mut temporary = Temporary::beside(system, &target, old.as_ref().map(Standing::of).as_ref())?;
+}
+
+/// A temporary file beside a target, with all that a closure writes on the disk.
+pub(super) fn filled<'a, S: FileSystem, E: From<io::Error>>(
+    system: &'a S,
+    target: &Path,
+    old: Option<&Standing>,
+    fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+) -> Result<Temporary<'a, S>, E> {
+    let mut temporary = Temporary::beside(system, target, old)?;
     fill(&mut temporary.file)?;
     temporary.file.flush()?;
     system.sync(&temporary.file)?;
-    Ok(temporary.take_the_name_of(&target)?)
+    Ok(temporary)
 }
 
 /// The end of a chain of symbolic links, where no file exists yet.
@@ -85,4 +118,4 @@ fn end_of_links(path: &Path) -> PathBuf {
 
 #[cfg(test)]
 #[path = "tests.rs"]
-mod tests;
+pub(super) mod tests;

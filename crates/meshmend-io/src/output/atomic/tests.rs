@@ -10,17 +10,17 @@ use crate::output::atomic::file_system::Claim;
 use crate::output::atomic::temporary::SUFFIX;
 
 /// An empty folder that is removed again.
-struct Folder(PathBuf);
+pub(in crate::output::atomic) struct Folder(pub(in crate::output::atomic) PathBuf);
 
 impl Folder {
-    fn new(name: &str) -> Self {
+    pub(in crate::output::atomic) fn new(name: &str) -> Self {
         let path = std::env::temp_dir().join(format!("meshmend-io-{name}-{}", std::process::id()));
         fs::remove_dir_all(&path).ok();
         fs::create_dir_all(&path).unwrap();
         Folder(path)
     }
 
-    fn names(&self) -> Vec<String> {
+    pub(in crate::output::atomic) fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.0).unwrap();
         let mut names: Vec<String> =
             entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
@@ -245,7 +245,7 @@ fn permissions_and_links_are_kept() {
 }
 
 /// A file system whose calls fail, one of them or all from there on.
-struct Failing {
+pub(in crate::output::atomic) struct Failing {
     calls: Rc<Calls>,
 }
 
@@ -255,6 +255,16 @@ struct Calls {
     error: io::ErrorKind,
 }
 
+impl Failing {
+    pub(in crate::output::atomic) fn at(failing: Range<usize>, error: io::ErrorKind) -> Self {
+        Failing { calls: Rc::new(Calls { made: Cell::new(0), failing, error }) }
+    }
+
+    pub(in crate::output::atomic) fn calls(&self) -> usize {
+        self.calls.made.get()
+    }
+}
+
 impl Calls {
     fn next(&self) -> io::Result<()> {
         let this = self.made.replace(self.made.get() + 1);
@@ -262,7 +272,7 @@ impl Calls {
     }
 }
 
-struct FailingFile {
+pub(in crate::output::atomic) struct FailingFile {
     file: File,
     calls: Rc<Calls>,
 }
@@ -321,10 +331,9 @@ fn write_failing(
     failing: Range<usize>,
     error: io::ErrorKind,
 ) -> (io::Result<()>, usize) {
-    let calls = Rc::new(Calls { made: Cell::new(0), failing, error });
-    let system = Failing { calls: calls.clone() };
+    let system = Failing::at(failing, error);
     let result = replace_file_on(&system, path, |out| out.write_all(new.as_bytes()));
-    (result, calls.made.get())
+    (result, system.calls())
 }
 
 #[test]

@@ -44,6 +44,8 @@ impl Written {
             options: WriteOptions::of(Format::Toy),
             losses: Vec::new(),
             record: None,
+            companions: Vec::new(),
+            taken: Vec::new(),
             at_vertices: Vec::new(),
         };
         prepare(&mut prepared).unwrap();
