@@ -71,6 +71,8 @@ pub enum LossKind {
     Metadata,
     /// Files that the input names, such as material libraries, are not where the output looks for them.
     Companion,
+    /// Something that a file says about a material is left out.
+    Material,
     /// Names are spelled in another way, as the format can't write them.
     Names,
     /// Vertices whose attributes differ from face to face are written several times: the file is manifold by place,

@@ -90,7 +90,6 @@ impl Prepared {
     }
 
     /// What the materials look like, as the options say or else the file that the mesh comes from.
-    #[allow(dead_code, reason = "the writers of materials ask for it")]
     pub(crate) fn materials(&self) -> Arc<[Material]> {
         self.options.materials.clone().unwrap_or_else(|| self.options.shell.materials())
     }

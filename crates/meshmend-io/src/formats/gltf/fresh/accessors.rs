@@ -1,13 +1,16 @@
 //! What lies where in the buffer of a file.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use meshmend_core::{PolygonMesh, Values};
 
 use super::attributes::{Attribute, Kind, attributes};
 use super::json;
+use super::looks::pictures;
 use super::objects::FaceNames;
 use super::plan::{Elements, Object, objects};
+use crate::{Picture, Prepared};
 
 /// A file: its objects, its attributes, and what its buffer holds.
 pub(super) struct File<'a> {
@@ -16,6 +19,8 @@ pub(super) struct File<'a> {
     pub(super) attributes: Vec<Attribute<'a>>,
     pub(super) objects: Vec<PlacedObject<'a>>,
     pub(super) views: Vec<View>,
+    /// How many of the views are described by accessors.
+    pub(super) accessors: usize,
     /// The length of the buffer.
     pub(super) length: u64,
 }
@@ -51,6 +56,8 @@ pub(super) enum Content {
         elements: Elements,
         first: usize,
     },
+    /// The bytes of a picture, which no accessor describes. Pictures come last.
+    Picture(Arc<[u8]>),
 }
 
 /// The most vertices that indices of 16 bits can tell apart. The largest number of a type is not an index.
@@ -60,13 +67,21 @@ impl<'a> File<'a> {
     /// The file of a mesh that was made ready.
     ///
     /// *Cost*: linear in the faces and the vertices.
-    pub(super) fn of(mesh: &'a PolygonMesh) -> Self {
+    pub(super) fn of(prepared: &'a Prepared) -> Self {
+        let mesh = &prepared.mesh;
         let (names, attributes) = (FaceNames::of(mesh), attributes(mesh));
         let objects = objects(mesh, &names);
-        let mut file = File { mesh, names, attributes, objects: Vec::new(), views: Vec::new(), length: 0 };
+        let mut file =
+            File { mesh, names, attributes, objects: Vec::new(), views: Vec::new(), accessors: 0, length: 0 };
         for object in objects {
             let placed = file.place(object);
             file.objects.push(placed);
+        }
+        file.accessors = file.views.len();
+        for picture in pictures(&prepared.materials()) {
+            if let Picture::Embedded { bytes, .. } = picture {
+                file.push(Content::Picture(bytes.clone()), bytes.len(), 1);
+            }
         }
         file
     }
@@ -132,14 +147,18 @@ impl<'a> File<'a> {
                 let component_type = if view.stride == 4 { UNSIGNED_INT } else { UNSIGNED_SHORT };
                 json::Accessor { component_type, kind: "SCALAR", ..plain }
             }
+            Content::Picture(_) => plain,
         }
     }
 
     pub(super) fn buffer_view(&self, view: &View) -> json::BufferView {
         let (target, is_padded) = match &view.content {
-            Content::Positions(_) => (ARRAY_BUFFER, false),
-            Content::Values { attribute, .. } => (ARRAY_BUFFER, self.attributes[*attribute].padding() > 0),
-            Content::Indices { .. } => (ELEMENT_ARRAY_BUFFER, false),
+            Content::Positions(_) => (Some(ARRAY_BUFFER), false),
+            Content::Values { attribute, .. } => {
+                (Some(ARRAY_BUFFER), self.attributes[*attribute].padding() > 0)
+            }
+            Content::Indices { .. } => (Some(ELEMENT_ARRAY_BUFFER), false),
+            Content::Picture(_) => (None, false),
         };
         json::BufferView {
             buffer: 0,

@@ -29,6 +29,7 @@ pub(super) fn write(file: &File<'_>, out: &mut dyn io::Write) -> io::Result<()> 
                     sink.checkpoint()?;
                 }
             }
+            Content::Picture(bytes) => sink.bytes(bytes),
             Content::Indices { elements, first } => indices(file, view, elements, *first, &mut sink)?,
         }
         let length = view.length();

@@ -17,8 +17,8 @@ pub(in crate::formats::gltf) fn encode_glb(
     prepared: &Prepared,
     out: &mut dyn Write,
 ) -> Result<(), WriteErrorKind> {
-    let file = File::of(&prepared.mesh);
-    let mut text = text_of(&file, None)?;
+    let file = File::of(prepared);
+    let mut text = text_of(prepared, &file, None)?;
     text.resize(text.len().next_multiple_of(4), b' ');
     let head = if file.length == 0 { 20 } else { 28 };
     let length = u32::try_from(head + text.len() as u64 + file.length).map_err(|_| too_large())?;
@@ -43,8 +43,8 @@ pub(in crate::formats::gltf) fn encode_gltf(
     prepared: &Prepared,
     out: &mut dyn Write,
 ) -> Result<(), WriteErrorKind> {
-    let file = File::of(&prepared.mesh);
-    let text = text_of(&file, Some(DATA_URI))?;
+    let file = File::of(prepared);
+    let text = text_of(prepared, &file, Some(DATA_URI))?;
     // The buffer is the last member, and the URI its last one.
     let place = text.windows(DATA_URI.len()).rposition(|bytes| bytes == DATA_URI.as_bytes());
     let (head, tail) = text.split_at(place.map_or(text.len(), |at| at + DATA_URI.len()));

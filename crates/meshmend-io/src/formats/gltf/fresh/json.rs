@@ -19,6 +19,10 @@ pub(super) struct Root<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) materials: Vec<Material>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) textures: Vec<Texture>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) images: Vec<Image>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) accessors: Vec<Accessor>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) buffer_views: Vec<BufferView>,
@@ -64,9 +68,56 @@ pub(super) struct Primitive<'a> {
     pub(super) mode: u8,
 }
 
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub(super) struct Material {
     pub(super) name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) pbr_metallic_roughness: Option<MetallicRoughness>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) normal_texture: Option<TextureInfo>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) emissive_texture: Option<TextureInfo>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) emissive_factor: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) alpha_mode: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct MetallicRoughness {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) base_color_factor: Option<[f64; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) base_color_texture: Option<TextureInfo>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) metallic_factor: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) roughness_factor: Option<f64>,
+}
+
+#[derive(Serialize)]
+pub(super) struct TextureInfo {
+    pub(super) index: usize,
+}
+
+#[derive(Serialize)]
+pub(super) struct Texture {
+    pub(super) source: usize,
+}
+
+#[derive(Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Image {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) name: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) uri: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) buffer_view: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) mime_type: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -93,7 +144,8 @@ pub(super) struct BufferView {
     pub(super) byte_length: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) byte_stride: Option<usize>,
-    pub(super) target: u16,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) target: Option<u16>,
 }
 
 #[derive(Serialize)]

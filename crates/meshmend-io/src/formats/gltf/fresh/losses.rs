@@ -10,10 +10,13 @@ use crate::output::statements::metadata_losses;
 use crate::text::one_or_many;
 use crate::{Loss, LossKind, Prepared};
 
+/// The statement that names material libraries.
+const LIBRARY: &str = "mtllib";
+
 /// The losses of layers, names and statements.
 pub(in crate::formats::gltf) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let mesh = &prepared.mesh;
-    let file = File::of(mesh);
+    let file = File::of(prepared);
     let is_written =
         |at: usize| file.objects.iter().any(|placed| placed.attributes.iter().any(|&(a, _)| a == at));
     let attributes = file.attributes.iter().enumerate();
@@ -32,7 +35,8 @@ pub(in crate::formats::gltf) fn losses(prepared: &Prepared) -> Vec<Loss> {
     );
     let is_named =
         file.names.objects.is_none() && file.objects.iter().any(|placed| placed.object.name.is_some());
-    losses.extend(metadata_losses(mesh, if is_named { &[SOLID] } else { &[] }));
+    // The members say what libraries say.
+    losses.extend(metadata_losses(mesh, if is_named { &[SOLID, LIBRARY] } else { &[LIBRARY] }));
     losses.extend(name_loss(&file));
     losses
 }

@@ -59,6 +59,15 @@ impl<'a> FaceNames<'a> {
         (object, material.map(|value| self.material_numbers[value]))
     }
 
+    /// The names of the materials that some of so many faces have.
+    pub(super) fn used_materials(&self, faces: usize) -> Vec<&'a [u8]> {
+        let mut is_used = vec![false; self.material_names.len()];
+        let faces = if self.materials.is_some() { 0..faces } else { 0..0 };
+        faces.filter_map(|face| self.key(face).1).for_each(|number| is_used[number] = true);
+        let names = self.material_names.iter().zip(is_used);
+        names.filter(|(_, is_used)| *is_used).map(|(name, _)| *name).collect()
+    }
+
     /// The name of an object. Without objects it is that of the solid.
     pub(super) fn object_name(&self, object: Option<usize>) -> Option<&'a [u8]> {
         match self.objects {

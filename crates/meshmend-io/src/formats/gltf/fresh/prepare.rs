@@ -4,7 +4,7 @@ use meshmend_core::{Domain, DraftError, Layer};
 
 use super::arrange::arrange;
 use super::attributes::Kinds;
-use super::values;
+use super::{looks, values};
 use crate::output::triangles::cut_polygons;
 use crate::{Prepared, WriteErrorKind};
 
@@ -23,7 +23,9 @@ pub(in crate::formats::gltf) fn prepare(prepared: &mut Prepared) -> Result<(), W
     let layers = prepared.mesh.layers().iter().enumerate();
     let moved: Vec<usize> = layers.filter(is_moved).map(|(at, _)| at).collect();
     prepared.bring_to_vertices(&moved)?;
-    arrange(prepared)
+    arrange(prepared)?;
+    looks::take(prepared);
+    Ok(())
 }
 
 /// Converts the layers that become attributes to types of the format.

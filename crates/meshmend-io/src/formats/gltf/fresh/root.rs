@@ -5,11 +5,16 @@ use std::io;
 use super::accessors::{File, PlacedObject};
 use super::json;
 use super::losses::utf8;
+use super::materials::{Members, members};
 use super::plan::{Elements, Primitive};
-use crate::WriteErrorKind;
+use crate::{Prepared, WriteErrorKind};
 
 /// The text of a file whose buffer is elsewhere, or in a URI that begins so.
-pub(super) fn text_of(file: &File<'_>, uri: Option<&'static str>) -> Result<Vec<u8>, WriteErrorKind> {
+pub(super) fn text_of(
+    prepared: &Prepared,
+    file: &File<'_>,
+    uri: Option<&'static str>,
+) -> Result<Vec<u8>, WriteErrorKind> {
     let places = MaterialPlaces::of(file);
     let meshes = file.objects.iter().map(|placed| json::Mesh {
         name: placed.object.name.map(utf8),
@@ -18,8 +23,8 @@ pub(super) fn text_of(file: &File<'_>, uri: Option<&'static str>) -> Result<Vec<
     let nodes = file.objects.iter().zip(0..);
     let nodes = nodes.map(|(placed, mesh)| json::Node { name: placed.object.name.map(utf8), mesh });
     let buffer = json::Buffer { byte_length: file.length, uri };
-    let materials =
-        places.used.iter().map(|&at| json::Material { name: utf8(file.names.material_names[at]) });
+    let names = places.used.iter().map(|&at| file.names.material_names[at]);
+    let Members { materials, textures, images } = members(prepared, names, file.accessors);
     let has_objects = !file.objects.is_empty();
     let root = json::Root {
         asset: json::Asset { version: "2.0", generator: "meshmend" },
@@ -30,8 +35,10 @@ pub(super) fn text_of(file: &File<'_>, uri: Option<&'static str>) -> Result<Vec<
             .collect(),
         nodes: nodes.collect(),
         meshes: meshes.collect(),
-        materials: materials.collect(),
-        accessors: (0..file.views.len()).map(|at| file.accessor(at)).collect(),
+        materials,
+        textures,
+        images,
+        accessors: (0..file.accessors).map(|at| file.accessor(at)).collect(),
         buffer_views: file.views.iter().map(|view| file.buffer_view(view)).collect(),
         buffers: has_objects.then_some(buffer).into_iter().collect(),
     };

@@ -4,7 +4,7 @@ use meshmend_core::{Carry, Domain, FaceTable, Layer, Metadata, PolygonMesh, Role
 use serde_json::{Value, json};
 
 use super::*;
-use crate::{Encoding, Format, Loss, LossKind, Prepared, WriteOptions};
+use crate::{Encoding, Format, Loss, LossKind, Material, Picture, Prepared, WriteOptions};
 
 /// Some triangles over points on a parabola.
 fn mesh(vertices: usize, triangles: &[[u32; 3]]) -> PolygonMesh {
@@ -36,12 +36,16 @@ struct Written {
 
 impl Written {
     fn of(mesh: &PolygonMesh) -> Self {
+        Written::with(mesh, WriteOptions::of(Format::Toy))
+    }
+
+    fn with(mesh: &PolygonMesh, options: WriteOptions) -> Self {
         let mut prepared = Prepared {
             given: mesh.clone(),
             mesh: mesh.clone(),
             format: Format::Toy,
             encoding: Encoding::LittleEndian,
-            options: WriteOptions::of(Format::Toy),
+            options,
             losses: Vec::new(),
             record: None,
             companions: Vec::new(),
@@ -173,7 +177,8 @@ fn objects_are_nodes_with_vertices_of_their_own_and_materials_are_primitives() {
     assert_eq!(shared[0]["attributes"], shared[1]["attributes"]);
     let corners: Vec<u32> = written.mesh.faces().corner_vertices().iter().map(|vertex| vertex.0).collect();
     assert_eq!(corners, [0, 1, 2, 0, 2, 1, 4, 3, 5, 6, 7, 8]);
-    assert_eq!(written.lost(), [LossKind::SeamVertices]);
+    assert_eq!(written.lost(), [LossKind::SeamVertices, LossKind::Material]);
+    assert_eq!(written.losses[1].message, "what 2 materials look like: no file describes them");
     assert!(written.losses[0].message.starts_with("2 vertices are written for each of their objects"));
 }
 
@@ -306,4 +311,63 @@ fn a_name_is_text_and_that_of_the_only_solid_is_the_nodes() {
     assert_eq!((&solid.json["nodes"][0]["name"], solid.losses.len()), (&json!("part \"a\""), 0));
     let other = Written::of(&mesh(3, &[[0, 1, 2]]).with_metadata(statement(b"\xff")));
     assert_eq!((&other.json["nodes"][0]["name"], other.lost()), (&json!("\u{fffd}"), vec![LossKind::Names]));
+}
+
+/// A picture that is a PNG as far as its first bytes tell.
+fn picture(name: &str) -> Picture {
+    Picture::Embedded { name: name.to_owned(), bytes: b"\x89PNG\r".as_slice().into() }
+}
+
+fn with_materials(materials: Vec<Material>) -> Written {
+    let mesh = mesh(3, &[[0, 1, 2]]).with_layers(vec![names("material", &["red"], &[0])]).unwrap();
+    Written::with(&mesh, WriteOptions::of(Format::Toy).with_materials(materials))
+}
+
+#[test]
+fn a_material_says_what_its_description_says() {
+    let red = Material {
+        base_color: Some([1.0, 0.5, 2.0]),
+        opacity: Some(0.25),
+        base_map: Some(picture("map")),
+        normal_map: Some(Picture::File(b"maps\\my n.png".to_vec())),
+        emissive_map: Some(picture("map")),
+        roughness: Some(0.5),
+        others: ["Ks", "Ns", "Ks"].map(str::to_owned).to_vec(),
+        ..Material::named("red")
+    };
+    let written = with_materials(vec![red, Material::named("red"), Material::named("blue")]);
+    let expected = json!([{
+        "name": "red",
+        "pbrMetallicRoughness": {
+            "baseColorFactor": [1.0, 0.5, 1.0, 0.25], "baseColorTexture": {"index": 0}, "metallicFactor": 0.0,
+            "roughnessFactor": 0.5,
+        },
+        "normalTexture": {"index": 1},
+        "emissiveTexture": {"index": 0},
+        "emissiveFactor": [1.0, 1.0, 1.0],
+        "alphaMode": "BLEND",
+    }]);
+    assert_eq!(written.json["materials"], expected);
+    assert_eq!(written.json["textures"], json!([{"source": 0}, {"source": 1}]));
+    let images =
+        json!([{"name": "map", "bufferView": 2, "mimeType": "image/png"}, {"uri": "maps/my%20n.png"}]);
+    assert_eq!(written.json["images"], images);
+    assert_eq!(
+        (written.accessor(2), written.json["accessors"].as_array().unwrap().len()),
+        (&b"\x89PNG\r"[..], 2)
+    );
+    let expected = [
+        "1 described material that no face uses",
+        "1 factor of materials beyond 0 to 1: written as the nearest one within",
+        "3 statements about materials that glTF has no word for: `Ks`, `Ns`",
+    ];
+    assert_eq!(written.messages(), expected);
+}
+
+#[test]
+fn a_picture_that_is_neither_png_nor_jpeg_is_left_out() {
+    let other = Picture::Embedded { name: "map".to_owned(), bytes: b"BM".as_slice().into() };
+    let written = with_materials(vec![Material { base_map: Some(other), ..Material::named("red") }]);
+    assert!(written.json.get("images").is_none() && written.json.get("textures").is_none());
+    assert_eq!(written.messages(), ["the picture `map`, which is neither PNG nor JPEG"]);
 }
