@@ -67,3 +67,14 @@ impl Material {
         [&self.base_map, &self.emissive_map, &self.normal_map].into_iter().flatten()
     }
 }
+
+/// The extension of the name of a picture file with these bytes.
+pub(crate) fn extension(bytes: &[u8]) -> &'static str {
+    match bytes {
+        [0x89, b'P', b'N', b'G', ..] => "png",
+        [0xff, 0xd8, 0xff, ..] => "jpg",
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => "webp",
+        [0xab, b'K', b'T', b'X', ..] => "ktx2",
+        _ => "bin",
+    }
+}

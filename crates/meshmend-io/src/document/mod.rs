@@ -13,6 +13,7 @@ use std::sync::Arc;
 
 use meshmend_core::PolygonMesh;
 
+pub(crate) use self::material::extension;
 pub use self::material::{Material, Picture};
 pub use self::placed::TooMuchPlaced;
 pub use self::placement::{Placement, Placing};

@@ -4,6 +4,7 @@ pub(crate) mod atomic;
 pub(crate) mod companions;
 pub(crate) mod held;
 pub(crate) mod layer_losses;
+pub(crate) mod material_losses;
 pub(crate) mod options;
 pub(crate) mod prepare;
 pub(crate) mod prepared;

@@ -31,6 +31,7 @@ mod statement_cursor;
 mod usual_statements;
 mod write;
 mod write_comments;
+mod write_library;
 mod write_loose;
 mod write_names;
 mod write_values;

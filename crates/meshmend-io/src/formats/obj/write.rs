@@ -7,6 +7,7 @@ use meshmend_core::{Domain, Id, Layer, PolygonMesh, Values, counted};
 use crate::formats::obj::comment_anchors::{COMMENT, ELEMENTS, FACE, NORMAL, TEXCOORD, VERTEX};
 use crate::formats::obj::shape::ObjShape;
 use crate::formats::obj::write_comments::{Between, is_between};
+use crate::formats::obj::write_library::make_library;
 use crate::formats::obj::write_loose::LoosePlan;
 use crate::formats::obj::write_names::NameWriter;
 use crate::formats::obj::write_values::{attributes, spaced, values};
@@ -19,14 +20,17 @@ use crate::{Loss, LossKind, Prepared, WriteErrorKind};
 /// The keys of statements about the whole file, and their words.
 const STATEMENTS: [(&str, &str); 2] = [(COMMENT, "#"), ("mtllib", "mtllib")];
 
-/// Moves colours and weights to the vertices, with which they are written.
+/// Moves colours and weights to the vertices, with which they are written, and makes a library for materials of
+/// another format.
 pub(super) fn prepare(prepared: &mut Prepared) -> Result<(), WriteErrorKind> {
     prepared.name_textures()?;
     prepared.split_seams(|layer| match layer.name() {
         "color" => is_color(layer),
         "weight" => has_fractions(layer) && layer.width() == 1,
         _ => false,
-    })
+    })?;
+    make_library(prepared);
+    Ok(())
 }
 
 fn is_color(layer: &Layer) -> bool {

@@ -1,6 +1,5 @@
 //! What materials look like: which of it the format can hold.
 
-use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
 use std::sync::Arc;
@@ -9,6 +8,7 @@ use meshmend_core::counted;
 
 use super::objects::FaceNames;
 use crate::input::folder::{Folder, Lead};
+use crate::output::material_losses::other_words_loss;
 use crate::shell::NamedContent;
 use crate::{Loss, LossKind, Material, Picture, Prepared, text};
 
@@ -42,7 +42,7 @@ pub(super) fn take(prepared: &mut Prepared) {
     .collect();
     losses.extend(without_pictures(&mut taken, prepared));
     losses.extend(clamped(&mut taken));
-    losses.extend(other_words(&taken));
+    losses.extend(other_words_loss(&taken, "glTF"));
     let libraries = prepared.options.shell.companions().into_iter();
     let libraries = libraries.filter(|file| file.content == NamedContent::Materials).map(|file| file.name);
     prepared.taken.extend(libraries);
@@ -128,19 +128,6 @@ fn clamped(materials: &mut [Material]) -> Option<Loss> {
     }
     Loss::if_any(LossKind::Converted, moved, |n| {
         format!("{} of materials beyond 0 to 1: written as the nearest one within", counted(n, "factor"))
-    })
-}
-
-/// The loss of what else is said of materials.
-fn other_words(materials: &[Material]) -> Option<Loss> {
-    let words = materials.iter().flat_map(|material| &material.others);
-    let mut times: BTreeMap<&str, usize> = BTreeMap::new();
-    words.for_each(|word| *times.entry(word).or_default() += 1);
-    Loss::if_any(LossKind::Material, times.values().sum(), |count| {
-        let listed: Vec<String> =
-            times.keys().map(|word| format!("`{}`", text::shown(word.as_bytes()))).collect();
-        let of = counted(count, "statement");
-        format!("{of} about materials that glTF has no word for: {}", listed.join(", "))
     })
 }
 
