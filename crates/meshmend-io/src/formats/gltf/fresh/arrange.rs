@@ -151,16 +151,18 @@ impl Order {
         let mut times = vec![0_u32; mesh.counts().vertices];
         self.vertices.iter().for_each(|vertex| times[vertex.index()] += 1);
         let unused = times.iter().filter(|&&times| times == 0).count();
-        let shared = times.iter().filter(|&&times| times > 1).count();
+        let several = times.iter().filter(|&&times| times > 1);
+        let (shared, written) = (several.clone().count(), several.sum::<u32>());
         let losses = [
             Loss::if_any(LossKind::UnusedVertices, unused, |n| {
                 format!("{} that no written element uses", counted(n, "vertex"))
             }),
             Loss::if_any(LossKind::SeamVertices, shared, |n| {
-                one_or_many(
-                    n,
-                    "vertex is written for each of its objects: the file is manifold by place, not by index",
-                    "vertices are written for each of their objects: the file is manifold by place, not by index",
+                let vertices = one_or_many(n, "vertex is", "vertices are");
+                let them = if n == 1 { "it" } else { "them" };
+                format!(
+                    "{vertices} written {written} times, as several objects use {them}: the file is manifold by place, \
+                     not by index"
                 )
             }),
         ];
