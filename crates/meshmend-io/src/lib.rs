@@ -48,6 +48,7 @@ pub use document::{
 };
 pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 pub use formats::encoding::Encoding;
+pub use formats::facts::TextureOrigin;
 pub use formats::format::Format;
 pub use formats::stl::colors::{ColorElements, decode_stl_colors};
 pub use input::options::ReadOptions;

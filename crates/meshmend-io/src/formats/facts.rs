@@ -25,10 +25,9 @@ pub(crate) struct Facts {
 
 /// The corner of a picture whose texture coordinates are 0 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum TextureOrigin {
+pub enum TextureOrigin {
     /// The lower left one.
     LowerLeft,
     /// The upper left one.
-    #[allow(dead_code, reason = "the formats of Khronos have it")]
     UpperLeft,
 }

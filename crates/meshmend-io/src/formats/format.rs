@@ -65,8 +65,8 @@ impl Format {
         self.facts().has_indices
     }
 
-    /// Where its texture coordinates count from.
-    pub(crate) fn texture_origin(self) -> TextureOrigin {
+    /// The corner of a picture that its texture coordinates count from.
+    pub fn texture_origin(self) -> TextureOrigin {
         self.facts().texture_origin
     }
 

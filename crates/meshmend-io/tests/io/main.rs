@@ -4,6 +4,7 @@
 
 mod blocks;
 mod common;
+mod conversions;
 mod corpus;
 mod formats;
 mod messages;
