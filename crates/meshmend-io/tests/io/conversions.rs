@@ -9,7 +9,9 @@ use std::path::Path;
 
 use crate::common::with_mesh;
 use meshmend_core::{Carry, Domain, FaceTable, Id, Layer, Metadata, PolygonMesh, Role, Values, VertexId};
-use meshmend_io::{Format, Loss, ReadFile, ReadOptions, TextureOrigin, WriteOptions, encode, read_bytes};
+use meshmend_io::{
+    Format, Loss, NoteKind, ReadFile, ReadOptions, TextureOrigin, WriteOptions, encode, read_bytes,
+};
 
 /// Two triangles that share an edge.
 fn triangles() -> PolygonMesh {
@@ -192,12 +194,27 @@ fn seen(file: &ReadFile, probe: Probe) -> Option<Vec<String>> {
         Probe::LoosePoints => mesh.loose_points().iter().map(|&point| place(point)).collect(),
         Probe::Statement(key) => {
             let statements = mesh.metadata().iter().filter(|statement| statement.kind() == key);
-            statements.map(|statement| format!("{:?}", statement.value)).collect()
+            statements.map(|statement| String::from_utf8_lossy(&statement.value).into_owned()).collect()
         }
     };
     seen.sort();
     seen.dedup();
     (!seen.is_empty()).then_some(seen)
+}
+
+/// What is seen in another place: the only solid of a text is an object where there are several, and in PLY one property
+/// may have a part of each value.
+fn seen_otherwise(file: &ReadFile, probe: Probe) -> Option<Vec<String>> {
+    match probe {
+        Probe::Statement("solid") => match file.mesh.layer("object", Domain::Face)?.values() {
+            Values::Text(names) => {
+                Some(names.iter().map(|n| String::from_utf8_lossy(n).into_owned()).collect())
+            }
+            _ => None,
+        },
+        Probe::Layer(name, domain) => of_layer(file, &format!("{name}_0"), domain),
+        _ => None,
+    }
 }
 
 fn face_key(mesh: &PolygonMesh, face: usize) -> String {
@@ -212,7 +229,8 @@ fn face_key(mesh: &PolygonMesh, face: usize) -> String {
 fn of_layer(file: &ReadFile, name: &str, domain: Domain) -> Option<Vec<String>> {
     let mesh = &file.mesh;
     // A name of one's own begins with `_` in glTF.
-    let is_named = |layer: &&Layer| layer.name().trim_start_matches('_') == name;
+    let own = format!("_{name}");
+    let is_named = |layer: &&Layer| [name, &own].contains(&layer.name());
     let is_of_faces = domain == Domain::Face;
     let is_fit = |layer: &&Layer| (layer.domain() == Domain::Face) == is_of_faces;
     let layer = mesh.layers().iter().filter(is_fit).find(is_named)?;
@@ -267,6 +285,12 @@ fn verdict(kind: &Kind, given: &ReadFile, to: Format) -> Result<&'static str, St
         read_bytes(&bytes, "a", &ReadOptions::default().with_format(to)).map_err(|e| e.to_string())?;
     let after = seen(&again, kind.probe);
     let is_named = losses.iter().any(|loss| is_of(loss, kind.probe));
+    // Lines and points of glTF stay in the file, and a note says so.
+    let is_noted = again.notes.iter().any(|note| note.kind == NoteKind::SkippedElement);
+    if is_noted && matches!(kind.probe, Probe::LooseEdges | Probe::LoosePoints) {
+        return Ok("kept");
+    }
+    let after = after.or_else(|| seen_otherwise(&again, kind.probe));
     match (after == before, after.is_some(), is_named) {
         (true, ..) => Ok("kept"),
         (false, true, true) => Ok("converted"),
@@ -283,7 +307,7 @@ fn is_of(loss: &Loss, probe: Probe) -> bool {
     use meshmend_io::LossKind as K;
     match probe {
         Probe::Layer(name, _) => {
-            loss.message.contains(&format!("`{name}`"))
+            (loss.message.contains(&format!("`{name}`")) || loss.message.contains(&format!("`_{name}`")))
                 || loss.message.contains("texture coordinate")
                 || loss.message.contains("colours of")
         }
@@ -343,6 +367,7 @@ Beyond the tables:
 * The colours, opacity, light, metal, roughness and pictures of materials go from the libraries of an OBJ to glTF, and from
   glTF to a library beside an OBJ. The words of one that the other does not know, such as `Ks`, `Ns` and `illum`, are
   named. No colour is converted: glTF means linear numbers, and many programs write those of the screen (sRGB) to MTL.
+* Lines and points of a glTF are in the file, but not in the mesh that is read of it; a note says how many.
 * Pictures that the output names are copied beside it, and those within a GLB become files beside an OBJ
   (`--companions`).
 ";

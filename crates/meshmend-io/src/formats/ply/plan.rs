@@ -234,6 +234,7 @@ impl<'a> Planner<'a> {
             (_, Values::Lists { .. }) => {}
             (_, values) => {
                 let Some(item) = Scalar::of(values) else { return };
+                self.losses.extend(spread_loss(layer));
                 for (component, name) in names(self.mesh, layer).into_iter().enumerate() {
                     self.push(layer, name, item, Source::Component(layer, component));
                 }
@@ -287,6 +288,16 @@ fn names(mesh: &PolygonMesh, layer: &Layer) -> Vec<String> {
         None if width == 1 => vec![layer.name().to_owned()],
         None => (0..width).map(|i| format!("{}_{i}", layer.name())).collect(),
     }
+}
+
+/// The loss when each number of a value is a property of its own, which a reader does not put together.
+fn spread_loss(layer: &Layer) -> Option<Loss> {
+    let (domain, name, width) = (layer.domain().name(), layer.name(), layer.width());
+    (width > 1 && usual(name, width).is_none()).then(|| {
+        let message =
+            format!("{domain} attribute `{name}` is spread over {width} properties: `{name}_0` to `{name}_{}`", width - 1);
+        Loss::new(LossKind::Converted, layer.element_count(), message)
+    })
 }
 
 /// The names that the file had for the properties of a layer.
