@@ -9,6 +9,7 @@
 #![warn(missing_docs)]
 
 mod arguments;
+mod assets;
 mod compare;
 mod edits;
 pub mod input;
@@ -20,6 +21,7 @@ mod room;
 mod round_trip;
 
 pub use arguments::arguments;
+pub use assets::gltf;
 pub use edits::edit;
 pub use kernels::{analysis, kernels};
 pub use matrices::matrices;
@@ -43,4 +45,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off formats sniff round_trip kernels analysis matrices repair passes plan arguments edit);
+targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit);

@@ -7,6 +7,7 @@ use meshmend_io::{
 };
 use meshmend_io::{encode, read_bytes};
 
+use crate::assets::gltf;
 use crate::compare::{assert_well_formed, position_keys, same_layer};
 
 /// The bytes as an OBJ file.
@@ -33,7 +34,10 @@ pub fn off(data: &[u8]) {
 /// first day; those that have a target of their own have seeds and a dictionary there.
 pub fn formats(data: &[u8]) {
     if let [choice, file @ ..] = data {
-        read_and_write(Format::ALL[usize::from(*choice) % Format::ALL.len()], file);
+        match Format::ALL[usize::from(*choice) % Format::ALL.len()] {
+            Format::Glb | Format::Gltf => gltf(file),
+            format => read_and_write(format, file),
+        }
     }
 }
 
@@ -81,7 +85,7 @@ fn read_and_write(format: Format, data: &[u8]) {
 }
 
 /// An error says where in the file it is, or that it is about all of it, on one line of text.
-fn assert_located(error: &ReadError, data: &[u8]) {
+pub(crate) fn assert_located(error: &ReadError, data: &[u8]) {
     let lines = data.iter().filter(|b| matches!(b, b'\n' | b'\r')).count() as u64 + 1;
     match &error.place {
         Place::File => {}

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use meshmend_core::PolygonMesh;
-use meshmend_io::{Format, ReadOptions, read};
+use meshmend_io::{Format, Placing, ReadOptions, read_document};
 use serde_json::Value;
 
 use crate::shared::shared;
@@ -43,12 +43,14 @@ impl Entry {
         }
     }
 
-    /// The mesh in the file.
+    /// The mesh in the file; of a file of several meshes each once, in its own space, as the manifest has them.
     ///
     /// # Panics
     /// When it can't be read.
     pub fn mesh(&self) -> PolygonMesh {
-        read(&self.path, &ReadOptions::default()).unwrap_or_else(|error| panic!("{error}")).mesh
+        let read = read_document(&self.path, &ReadOptions::default());
+        let document = read.unwrap_or_else(|error| panic!("{error}"));
+        document.into_mesh(Placing::Parts).unwrap_or_else(|error| panic!("{error}")).mesh
     }
 }
 
