@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use arbitrary::{Arbitrary, Unstructured};
-use meshmend_core::{Layer, PolygonMesh, Role};
+use meshmend_core::{Layer, PolygonMesh};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
     AnyPass, Context, Emptying, PassError, PassKind, Pipeline, Plan, Repaired, Session, SplitEdges,
@@ -216,16 +216,6 @@ fn assert_promises(pass: &AnyPass, mesh: &PolygonMesh) {
     }
     let promise =
         Promise { removes: pass.removes(), requires: pass.requires(), may_introduce: pass.may_introduce() };
-    // Vertices at one point may be kept apart by their poses.
-    let is_posed = mesh.layers().iter().any(|layer| is_pose(layer.role()));
-    if is_posed && pass.name() == "weld" {
-        return;
-    }
     let [before, after] = [mesh, &outcome.mesh].map(DefectCounts::of);
     assert_eq!(promise.law(&before, &after), Ok(()), "{}", pass.name());
-}
-
-/// Whether values of a role move vertices apart.
-fn is_pose(role: Role) -> bool {
-    matches!(role, Role::MorphPosition(_) | Role::Joints(_) | Role::Weights(_))
 }
