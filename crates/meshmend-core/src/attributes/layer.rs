@@ -185,6 +185,13 @@ impl Layer {
         }
     }
 
+    /// The value that a vertex had as stored, in a layer that is at home on the vertices, wherever the layer is now.
+    ///
+    /// A vertex that several became has the value of the one whose place it kept, unless its corners agree on another.
+    pub fn value_of_vertex(&self, vertex: usize) -> Option<usize> {
+        Some(self.vertex_use(vertex)).filter(|&value| value != NO_VALUE).map(|value| value as usize)
+    }
+
     /// For each corner of the faces of the layer's mesh, the value that it has: its own, or that of its vertex or face. A layer
     /// of loose elements has no value at a corner.
     ///
