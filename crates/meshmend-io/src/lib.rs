@@ -1,4 +1,4 @@
-//! Reads and writes mesh files: OBJ, PLY, STL, OFF, GLB and glTF.
+//! Reads and writes mesh files: OBJ, PLY, STL, OFF and 3MF.
 //!
 //! A reader turns the bytes of a file into a [`PolygonMesh`]. It keeps all that a mesh can hold: faces of any size,
 //! degenerate faces, loose edges and points, attributes in the type in which they are stored, comments. [`Note`]s
@@ -43,8 +43,8 @@ mod text;
 mod write;
 
 pub use document::{
-    Document, Material, Part, PartSource, PartStatus, Picture, Placement, Placing, PreparedDocument,
-    TooMuchPlaced,
+    Document, Material, ObjectKind, Part, PartSource, PartStatus, Picture, Placement, Placing,
+    PreparedDocument, TooMuchPlaced,
 };
 pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 pub use formats::encoding::Encoding;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use meshmend::formats::Document;
+use meshmend::formats::{Document, Part};
 use meshmend::report::{CheckDocument, Listing, PartsDocument, json};
 use meshmend::topology::Witness;
 use meshmend::{CheckOptions, CheckReport, DefectKind, check, check_by_name};
@@ -138,8 +138,10 @@ impl Check {
             }
             let report = check(&document.parts[part].mesh, &options)
                 .map_err(|error| Failure::of_pass(&name(path), &error))?;
-            status = status.and(if asked.is_failing(&report) { Status::DefectsFound } else { Status::Done });
-            let report = CheckDocument::new(report.listing(&asked.fail_on), self.limit);
+            let fail_on = asked.failing_kinds(&document.parts[part]);
+            let is_failing = Asked::is_failing(&report, &fail_on);
+            status = status.and(if is_failing { Status::DefectsFound } else { Status::Done });
+            let report = CheckDocument::new(report.listing(&fail_on), self.limit);
             reports.push((part, Some(report)));
         }
         Ok(CheckedFile { name: name(path), document, reports, status })
@@ -162,8 +164,11 @@ impl Check {
         let chosen = self.parts.chosen(&document)?;
         let (mut status, mut kept) = (Status::Done, Vec::new());
         for (number, named) in reports.into_iter().enumerate().filter(|(number, _)| chosen.contains(number)) {
-            status =
-                status.and(if asked.is_failing(&named.report) { Status::DefectsFound } else { Status::Done });
+            status = status.and(if Asked::is_failing(&named.report, &asked.fail_on) {
+                Status::DefectsFound
+            } else {
+                Status::Done
+            });
             let shared = Listing::cut(named.shared_edges.into_iter(), self.limit);
             let mut report = CheckDocument::new(named.report.listing(&asked.fail_on), self.limit);
             report.shared_edges = Some(shared);
@@ -237,8 +242,17 @@ struct Asked {
 }
 
 impl Asked {
-    fn is_failing(&self, report: &CheckReport) -> bool {
-        !report.is_sound() || self.fail_on.iter().any(|&kind| report.count(kind) > 0)
+    /// The kinds of defect that fail a part beside those that always do.
+    fn failing_kinds(&self, part: &Part) -> Vec<DefectKind> {
+        let mut kinds = self.fail_on.clone();
+        if part.must_be_closed() && !kinds.contains(&DefectKind::BoundaryEdge) {
+            kinds.push(DefectKind::BoundaryEdge);
+        }
+        kinds
+    }
+
+    fn is_failing(report: &CheckReport, fail_on: &[DefectKind]) -> bool {
+        !report.is_sound() || fail_on.iter().any(|&kind| report.count(kind) > 0)
     }
 }
 

@@ -78,7 +78,26 @@ pub enum PartSource {
         entry: Arc<str>,
         /// The id.
         id: u32,
+        /// What it is for.
+        kind: ObjectKind,
     },
+}
+
+/// What an object of a 3MF file is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ObjectKind {
+    /// It is to be made, and encloses a solid.
+    #[default]
+    Model,
+    /// It supports others while they are made, and encloses a solid.
+    SolidSupport,
+    /// It supports others, and need not be closed.
+    Support,
+    /// It is a surface, which need not be closed.
+    Surface,
+    /// It is for something else, and need not be closed.
+    Other,
 }
 
 /// Whether a part can be edited.
@@ -91,6 +110,12 @@ pub enum PartStatus {
 }
 
 impl Part {
+    /// Whether its format says that its surface encloses a solid, so that a boundary is a defect.
+    pub fn must_be_closed(&self) -> bool {
+        let PartSource::ThreeMfObject { kind, .. } = &self.source else { return false };
+        matches!(kind, ObjectKind::Model | ObjectKind::SolidSupport)
+    }
+
     /// What reports call it: its name, and what it is in the file, such as `Body (mesh 3)`.
     pub fn title(&self) -> String {
         let what = match &self.source {

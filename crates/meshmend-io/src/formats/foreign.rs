@@ -19,7 +19,8 @@ pub(crate) fn looks_like(head: &[u8], length: u64) -> Option<&'static str> {
 }
 
 /// The first bytes of formats that always begin alike.
-const BINARY: [(&[u8], &str); 30] = [
+const BINARY: [(&[u8], &str); 31] = [
+    (b"glTF", "GLB (binary glTF)"),
     (b"Kaydara FBX Binary", "binary FBX"),
     (b"BLENDER", "a Blender file"),
     (b"3D Geometry File Format", "a Rhino 3DM file"),
@@ -52,8 +53,8 @@ const BINARY: [(&[u8], &str); 30] = [
     (b"\x7fELF", "a program"),
 ];
 
-/// What a text in markup contains near its start, in lower case.
-const MARKUP: [(&[u8], &str); 9] = [
+/// What a text in markup or JSON contains near its start, in lower case.
+const MARKUP: [(&[u8], &str); 10] = [
     (b"<!doctype html", "HTML, a web page, perhaps in place of a download"),
     (b"<html", "HTML, a web page, perhaps in place of a download"),
     (b"<collada", "COLLADA"),
@@ -62,23 +63,27 @@ const MARKUP: [(&[u8], &str); 9] = [
     (b"<vtkfile", "a VTK XML file"),
     (b"<svg", "an SVG picture"),
     (b"<model", "a 3MF model part"),
+    (b"\"asset\"", "glTF"),
     (b"<error>", "an error message in XML, in place of a download"),
 ];
 
 /// The extensions of mesh files that are not read here.
-const EXTENSIONS: [&str; 8] = ["3mf", "fbx", "dae", "x3d", "wrl", "3ds", "amf", "usdz"];
+const EXTENSIONS: [&str; 9] = ["gltf", "glb", "fbx", "dae", "x3d", "wrl", "3ds", "amf", "usdz"];
 
 /// Whether an extension stands for a mesh format that is not read here.
 pub(crate) fn is_extension(extension: &OsStr) -> bool {
     EXTENSIONS.iter().any(|foreign| extension.eq_ignore_ascii_case(foreign))
 }
 
+/// Whether content is a zip archive.
+pub(crate) fn is_zip(head: &[u8]) -> bool {
+    head.starts_with(b"PK\x03\x04")
+}
+
 fn zip(head: &[u8]) -> Option<&'static str> {
     let has = |name: &[u8]| head.windows(name.len()).any(|window| window == name);
-    head.starts_with(b"PK\x03\x04").then(|| {
-        if has(b"3D/3dmodel") || has(b"3D/_rels") || has(b"3dmanufacturing") {
-            "3MF (a zip archive)"
-        } else if has(b".usdc") || has(b".usda") {
+    is_zip(head).then(|| {
+        if has(b".usdc") || has(b".usda") {
             "USDZ (a zip archive)"
         } else {
             "a zip archive (unpack it first, unless it is 3MF)"
@@ -100,11 +105,12 @@ fn text(head: &[u8]) -> Option<&'static str> {
     const NEAR: usize = 4096;
     let start = trimmed_start(without_mark(head));
     let start = start[..start.len().min(NEAR)].to_ascii_lowercase();
-    if !start.starts_with(b"<") {
+    let is_xml = start.starts_with(b"<");
+    if !is_xml && !start.starts_with(b"{") {
         return None;
     }
     let has = |name: &[u8]| start.windows(name.len()).any(|window| window == name);
-    let known = MARKUP.iter().find(|(name, _)| has(name));
+    let known = MARKUP.iter().find(|(name, _)| has(name) && (name[0] == b'<') == is_xml);
     known.map(|&(_, name)| name).or(if start.starts_with(b"<?xml") { Some("XML") } else { None })
 }
 
@@ -118,13 +124,13 @@ mod tests {
             assert_eq!(looks_like(start, 99), Some(name));
         }
         for (text, name) in [
-            (&b"PK\x03\x04 [Content_Types].xml 3D/3dmodel.model"[..], "3MF (a zip archive)"),
-            (b"PK\x03\x04 a.usdc", "USDZ (a zip archive)"),
+            (&b"PK\x03\x04 a.usdc"[..], "USDZ (a zip archive)"),
             (b"PK\x03\x04 a.obj", "a zip archive (unpack it first, unless it is 3MF)"),
             (b"<!DOCTYPE HTML>\n<title>404", "HTML, a web page, perhaps in place of a download"),
             (b"\xef\xbb\xbf  <html>", "HTML, a web page, perhaps in place of a download"),
             (b"<?xml version=\"1.0\"?>\n<COLLADA xmlns", "COLLADA"),
             (b"<?xml version=\"1.0\"?><a/>", "XML"),
+            (b"{ \"asset\": { \"version\": \"2.0\" } }", "glTF"),
             (b"MM\x07\0\0\0x", "3DS"),
         ] {
             assert_eq!(looks_like(text, text.len() as u64), Some(name));

@@ -63,6 +63,13 @@ impl<'a> Sink<'a> {
     }
 }
 
+/// A number with the fewest digits that read back to the same bits.
+pub(crate) fn number_text(value: f64) -> String {
+    let mut buffer = Vec::new();
+    push_real(&mut buffer, value);
+    buffer.into_iter().map(char::from).collect()
+}
+
 /// Whole numbers below this are written digit by digit.
 const EXACT: f64 = 1e16;
 
