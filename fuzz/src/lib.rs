@@ -9,22 +9,23 @@
 #![warn(missing_docs)]
 
 mod arguments;
-mod assets;
 mod compare;
 mod edits;
 pub mod input;
 mod kernels;
 mod matrices;
+mod packages;
 mod readers;
 mod repairs;
 mod room;
 mod round_trip;
+mod zip;
 
 pub use arguments::arguments;
-pub use assets::gltf;
 pub use edits::edit;
 pub use kernels::{analysis, kernels};
 pub use matrices::matrices;
+pub use packages::threemf;
 pub use readers::{formats, obj, off, ply, sniff, stl};
 pub use repairs::{passes, plan, repair};
 pub use round_trip::round_trip;
@@ -45,4 +46,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit);
+targets!(obj ply stl off formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf);

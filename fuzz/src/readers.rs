@@ -7,8 +7,8 @@ use meshmend_io::{
 };
 use meshmend_io::{encode, read_bytes};
 
-use crate::assets::gltf;
 use crate::compare::{assert_well_formed, position_keys, same_layer};
+use crate::packages::package;
 
 /// The bytes as an OBJ file.
 pub fn obj(data: &[u8]) {
@@ -34,10 +34,7 @@ pub fn off(data: &[u8]) {
 /// first day; those that have a target of their own have seeds and a dictionary there.
 pub fn formats(data: &[u8]) {
     if let [choice, file @ ..] = data {
-        match Format::ALL[usize::from(*choice) % Format::ALL.len()] {
-            Format::Glb | Format::Gltf => gltf(file),
-            format => read_and_write(format, file),
-        }
+        read_and_write(Format::ALL[usize::from(*choice) % Format::ALL.len()], file);
     }
 }
 
@@ -73,6 +70,9 @@ pub(crate) fn read_as(format: Format, data: &[u8]) -> Result<ReadFile, ReadError
 }
 
 fn read_and_write(format: Format, data: &[u8]) {
+    if format == Format::ThreeMf {
+        return package(data);
+    }
     match read_as(format, data) {
         Ok(file) => {
             assert_eq!(file.format, format);
