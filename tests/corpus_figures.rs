@@ -184,9 +184,15 @@ fn welded(mesh: &PolygonMesh, distance: Distance) -> PolygonMesh {
     Weld::within(distance).apply(mesh, &Context::default()).unwrap().mesh
 }
 
+/// Files of which the manifest counts something else: it joins infinite coordinates, and counts vertices that several
+/// primitives share once for each of them.
+const COUNTED_OTHERWISE: [&str; 2] = ["real/assimp/BoxWithInfinites.glb", "real/trimesh/mode5.gltf"];
+
 /// Every readable file in a view that the manifest has.
 fn views(entries: &[Entry]) -> Vec<(&Entry, &'static str)> {
+    let is_counted_alike = |entry: &&Entry| !COUNTED_OTHERWISE.contains(&entry.name.as_str());
     let well_formed = entries.iter().filter(|entry| entry.is_read_here() && entry.is_well_formed());
+    let well_formed = well_formed.filter(is_counted_alike);
     let in_views = well_formed.flat_map(|entry| ["indexed", "welded"].map(|view| (entry, view)));
     in_views.filter(|(entry, view)| entry.view(view).is_some()).collect()
 }
@@ -269,8 +275,12 @@ fn strict_kernels_refuse_what_the_manifest_says_is_no_oriented_manifold() {
 #[test]
 fn welding_gives_the_manifests_number_of_vertices() {
     let Some(entries) = corpus() else { return };
-    let well_formed: Vec<&Entry> =
-        entries.iter().filter(|entry| entry.is_read_here() && entry.is_well_formed()).collect();
+    let is_counted_alike = |entry: &&Entry| !COUNTED_OTHERWISE.contains(&entry.name.as_str());
+    let well_formed: Vec<&Entry> = entries
+        .iter()
+        .filter(|entry| entry.is_read_here() && entry.is_well_formed())
+        .filter(is_counted_alike)
+        .collect();
     assert_each(&well_formed, |entry| {
         let mesh = welded(&entry.mesh(), Distance::Exact);
         let geometry = &entry.facts["geometry"];

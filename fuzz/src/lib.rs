@@ -9,6 +9,7 @@
 #![warn(missing_docs)]
 
 mod arguments;
+mod assets;
 mod compare;
 mod edits;
 pub mod input;
@@ -22,6 +23,7 @@ mod round_trip;
 mod zip;
 
 pub use arguments::arguments;
+pub use assets::gltf;
 pub use edits::edit;
 pub use kernels::{analysis, kernels};
 pub use matrices::matrices;
@@ -46,4 +48,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf);
+targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf);

@@ -7,6 +7,7 @@ use meshmend_io::{
 };
 use meshmend_io::{encode, read_bytes};
 
+use crate::assets::gltf;
 use crate::compare::{assert_well_formed, position_keys, same_layer};
 use crate::packages::package;
 
@@ -34,7 +35,10 @@ pub fn off(data: &[u8]) {
 /// first day; those that have a target of their own have seeds and a dictionary there.
 pub fn formats(data: &[u8]) {
     if let [choice, file @ ..] = data {
-        read_and_write(Format::ALL[usize::from(*choice) % Format::ALL.len()], file);
+        match Format::ALL[usize::from(*choice) % Format::ALL.len()] {
+            Format::Glb | Format::Gltf => gltf(file),
+            format => read_and_write(format, file),
+        }
     }
 }
 

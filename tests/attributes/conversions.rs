@@ -12,7 +12,10 @@ use crate::values::{TWO_TETRAHEDRA, Target, converted, read, readable, value, wr
 #[test]
 pub(crate) fn what_comes_back_from_any_format_is_what_went_in_but_for_the_losses_named() {
     let Some(entries) = corpus() else { return };
-    assert_each(&readable(&entries), |(entry, mesh)| {
+    // What becomes of attributes of a scene is asked of every pair of formats elsewhere.
+    let mut meshes = readable(&entries);
+    meshes.retain(|(entry, _)| !entry.name.ends_with(".glb") && !entry.name.ends_with(".gltf"));
+    assert_each(&meshes, |(entry, mesh)| {
         let wrong = |target: Target| {
             let Target { format, encoding, seams } = target;
             let (again, losses) = converted(mesh, target);

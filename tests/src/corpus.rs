@@ -43,13 +43,13 @@ impl Entry {
         }
     }
 
-    /// The mesh in the file; all meshes as one, each in its own space, where it has several.
+    /// The mesh in the file; of a file of several meshes each once, in its own space, as the manifest has them.
     ///
     /// # Panics
     /// When it can't be read.
     pub fn mesh(&self) -> PolygonMesh {
-        let document =
-            read_document(&self.path, &ReadOptions::default()).unwrap_or_else(|error| panic!("{error}"));
+        let read = read_document(&self.path, &ReadOptions::default());
+        let document = read.unwrap_or_else(|error| panic!("{error}"));
         document.into_mesh(Placing::Parts).unwrap_or_else(|error| panic!("{error}")).mesh
     }
 }

@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn an_unknown_format_is_answered_with_the_known_ones() {
-        assert!(format("glb").unwrap_err().starts_with("the formats are obj, ply"));
+        assert!(format("fbx").unwrap_err().starts_with("the formats are obj, ply"));
         assert_eq!(format("PLY"), Ok(Format::Ply));
     }
 

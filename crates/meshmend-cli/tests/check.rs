@@ -171,10 +171,10 @@ fn a_coordinate_that_is_no_number_is_null() {
 fn an_unreadable_file_is_no_reason_to_stop() {
     let folder = Folder::new();
     let wrong = folder.with("wrong.obj", "v 0 0 0\nf 1 2 3\n");
-    let gltf = folder.with("scene.gltf", "{\"asset\": {\"version\": \"2.0\"}}");
+    let scene = folder.with("scene.dae", "<COLLADA/>");
     let missing = folder.at("missing.obj");
     let soup = example("soup.stl");
-    let run = meshmend(&["check", "--json", &wrong, &missing, &gltf, &soup, &example("pinched.ply")]);
+    let run = meshmend(&["check", "--json", &wrong, &missing, &scene, &soup, &example("pinched.ply")]);
     assert_eq!(run.status, 3);
     let files: Vec<Value> = run.stdout.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!((files.len(), &files[0]["file"]), (2, &json!(soup)));
@@ -182,7 +182,7 @@ fn an_unreadable_file_is_no_reason_to_stop() {
     assert_eq!(errors.len(), 3, "{}", run.stderr);
     assert!(errors[0].starts_with(&format!("meshmend: {wrong}:2: ")), "{}", errors[0]);
     assert!(errors[1].starts_with(&format!("meshmend: {missing}: ")), "{}", errors[1]);
-    assert!(errors[2].contains("looks like glTF; the formats that are read are OBJ, "), "{}", errors[2]);
+    assert!(errors[2].contains("looks like COLLADA; the formats that are read are OBJ, "), "{}", errors[2]);
 }
 
 #[test]

@@ -94,7 +94,7 @@ fn a_cut_mesh_is_a_disc_and_its_word_says_what_it_was() {
     assert!(text.contains("cut along generators") && text.contains("became"), "{text}");
     let open = folder.with("c.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     meshmend(&["cut", "--along", "generators", &open, "-o", &output]).fails(5, "has a boundary");
-    meshmend(&["cut", &open, "-o", &folder.at("d.glb")]).fails(2, "d.glb");
+    meshmend(&["cut", &open, "-o", &folder.at("d.fbx")]).fails(2, "d.fbx");
     meshmend(&["cut", &folder.at("none.obj"), "-o", &output]).fails(3, "none.obj");
 }
 

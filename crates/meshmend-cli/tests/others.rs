@@ -25,7 +25,7 @@ fn a_conversion_changes_nothing_and_names_what_is_lost() {
 #[test]
 fn an_impossible_conversion_leaves_nothing() {
     let folder = Folder::new();
-    meshmend(&["convert", &example("soup.stl"), &folder.at("a.glb")]).fails(2, "a.glb");
+    meshmend(&["convert", &example("soup.stl"), &folder.at("a.fbx")]).fails(2, "a.fbx");
     meshmend(&["convert", &folder.at("none.obj"), &folder.at("a.off")]).fails(3, "none.obj");
     meshmend(&["convert", &example("soup.stl"), &folder.at("x/a.off")]).fails(4, "a.off");
     assert!(folder.names().is_empty());

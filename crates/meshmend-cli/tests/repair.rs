@@ -173,9 +173,9 @@ fn an_input_that_cant_be_read_leaves_no_output() {
     let wrong = folder.with("wrong.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
     let run = meshmend(&["repair", &wrong, "-o", &out]).fails(3, ":6: ");
     assert_eq!((run.stdout.as_str(), run.stderr.lines().count()), ("", 1));
-    for name in ["scene.glb", "scene.gltf", "part.3mf"] {
-        let foreign = folder.with(name, "glTF");
-        meshmend(&["repair", &foreign, "-o", &out]).fails(3, "looks like GLB");
+    for name in ["scene.fbx", "scene.obj", "part.3mf"] {
+        let foreign = folder.with(name, "Kaydara FBX Binary");
+        meshmend(&["repair", &foreign, "-o", &out]).fails(3, "looks like binary FBX");
     }
     assert!(!folder.names().contains(&"out.off".to_owned()));
 }

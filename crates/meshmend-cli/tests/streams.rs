@@ -220,7 +220,7 @@ fn a_told_format_goes_before_name_and_content() {
     let out = folder.at("b.obj");
     meshmend(&["convert", &obj, &out, "--to", "off"]).succeeds();
     assert!(fs::read(&out).unwrap().starts_with(b"OFF\n"));
-    meshmend(&["convert", "--from", "glb", &obj, &out]).fails(2, "the formats are obj, ply");
+    meshmend(&["convert", "--from", "fbx", &obj, &out]).fails(2, "the formats are obj, ply");
     let page = folder.with("c.stl", "<!DOCTYPE html><html></html>");
     meshmend(&["check", &page]).fails(3, "c.stl: looks like HTML");
 }

@@ -1,4 +1,4 @@
-//! Reads and writes mesh files: OBJ, PLY, STL, OFF and 3MF.
+//! Reads and writes mesh files: OBJ, PLY, STL, OFF, GLB, glTF and 3MF.
 //!
 //! A reader turns the bytes of a file into a [`PolygonMesh`]. It keeps all that a mesh can hold: faces of any size,
 //! degenerate faces, loose edges and points, attributes in the type in which they are stored, comments. [`Note`]s

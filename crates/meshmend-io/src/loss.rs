@@ -88,6 +88,8 @@ pub enum LossKind {
     CopiedProperty,
     /// Values are kept, but laid out in another way.
     TextLayout,
+    /// Nothing of what a name stands for is left: a primitive is left out, or a whole part stays as it was.
+    EmptiedName,
     /// Elements that are carried unchanged name vertices or faces by numbers that are out of date.
     StaleData,
 }

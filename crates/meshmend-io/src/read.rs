@@ -42,15 +42,21 @@ pub fn read_document(path: &Path, options: &ReadOptions) -> Result<Document, Rea
         .take(HEAD as u64)
         .read_to_end(&mut bytes)
         .map_err(|error| failed(ReadErrorKind::Io(error)))?;
+    let folder = Folder::of(path);
     if bytes.len() == HEAD && announced > HEAD {
         let told = Told::of(options.format, path, &bytes, announced as u64).map_err(failed)?;
-        let head = Source { bytes: &bytes, length: announced, name: &name, pace: Pace::NONE, folder: None };
+        let head = Source {
+            bytes: &bytes,
+            length: announced,
+            name: &name,
+            pace: Pace::NONE,
+            folder: folder.as_ref(),
+        };
         if let Some(parsed) = (driver(told.format).read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
             return told.outcome(parsed);
         }
     }
     let bytes = take_in(bytes, file, announced, Most::of(announced, limits)).map_err(failed)?;
-    let folder = Folder::of(path);
     let document = read_as(&bytes, Named { name: &name, path, folder: folder.as_ref() }, options)?;
     let mut document = (driver(document.format).look_beside)(document, path);
     document.shell = document.shell.in_folder(folder.map(Folder::into_path));

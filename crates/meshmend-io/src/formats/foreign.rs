@@ -19,8 +19,7 @@ pub(crate) fn looks_like(head: &[u8], length: u64) -> Option<&'static str> {
 }
 
 /// The first bytes of formats that always begin alike.
-const BINARY: [(&[u8], &str); 31] = [
-    (b"glTF", "GLB (binary glTF)"),
+const BINARY: [(&[u8], &str); 30] = [
     (b"Kaydara FBX Binary", "binary FBX"),
     (b"BLENDER", "a Blender file"),
     (b"3D Geometry File Format", "a Rhino 3DM file"),
@@ -53,8 +52,8 @@ const BINARY: [(&[u8], &str); 31] = [
     (b"\x7fELF", "a program"),
 ];
 
-/// What a text in markup or JSON contains near its start, in lower case.
-const MARKUP: [(&[u8], &str); 10] = [
+/// What a text in markup contains near its start, in lower case.
+const MARKUP: [(&[u8], &str); 9] = [
     (b"<!doctype html", "HTML, a web page, perhaps in place of a download"),
     (b"<html", "HTML, a web page, perhaps in place of a download"),
     (b"<collada", "COLLADA"),
@@ -63,12 +62,11 @@ const MARKUP: [(&[u8], &str); 10] = [
     (b"<vtkfile", "a VTK XML file"),
     (b"<svg", "an SVG picture"),
     (b"<model", "a 3MF model part"),
-    (b"\"asset\"", "glTF"),
     (b"<error>", "an error message in XML, in place of a download"),
 ];
 
 /// The extensions of mesh files that are not read here.
-const EXTENSIONS: [&str; 9] = ["gltf", "glb", "fbx", "dae", "x3d", "wrl", "3ds", "amf", "usdz"];
+const EXTENSIONS: [&str; 7] = ["fbx", "dae", "x3d", "wrl", "3ds", "amf", "usdz"];
 
 /// Whether an extension stands for a mesh format that is not read here.
 pub(crate) fn is_extension(extension: &OsStr) -> bool {
@@ -105,12 +103,11 @@ fn text(head: &[u8]) -> Option<&'static str> {
     const NEAR: usize = 4096;
     let start = trimmed_start(without_mark(head));
     let start = start[..start.len().min(NEAR)].to_ascii_lowercase();
-    let is_xml = start.starts_with(b"<");
-    if !is_xml && !start.starts_with(b"{") {
+    if !start.starts_with(b"<") {
         return None;
     }
     let has = |name: &[u8]| start.windows(name.len()).any(|window| window == name);
-    let known = MARKUP.iter().find(|(name, _)| has(name) && (name[0] == b'<') == is_xml);
+    let known = MARKUP.iter().find(|(name, _)| has(name));
     known.map(|&(_, name)| name).or(if start.starts_with(b"<?xml") { Some("XML") } else { None })
 }
 
@@ -130,7 +127,6 @@ mod tests {
             (b"\xef\xbb\xbf  <html>", "HTML, a web page, perhaps in place of a download"),
             (b"<?xml version=\"1.0\"?>\n<COLLADA xmlns", "COLLADA"),
             (b"<?xml version=\"1.0\"?><a/>", "XML"),
-            (b"{ \"asset\": { \"version\": \"2.0\" } }", "glTF"),
             (b"MM\x07\0\0\0x", "3DS"),
         ] {
             assert_eq!(looks_like(text, text.len() as u64), Some(name));

@@ -12,7 +12,6 @@ pub(crate) mod encoding;
 pub(crate) mod facts;
 pub(crate) mod foreign;
 pub(crate) mod format;
-pub(crate) mod gltf;
 #[cfg(test)]
 mod tests;
 

@@ -13,6 +13,10 @@ macro_rules! with_formats {
             Stl => stl,
             /// Object file format of Geomview.
             Off => off,
+            /// GLB: glTF in one binary file.
+            Glb => glb,
+            /// glTF: JSON, with the bytes of its buffers within it or beside it.
+            Gltf => gltf,
             /// 3D Manufacturing Format.
             ThreeMf => threemf,
             /// The example of CONTRIBUTING.

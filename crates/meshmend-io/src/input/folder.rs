@@ -32,7 +32,6 @@ pub(crate) enum Lead {
 }
 
 /// Why a file is not opened.
-#[allow(dead_code, reason = "formats that need other files ask for it")]
 pub(crate) enum NotOpened {
     /// There is no file of this name.
     Missing,
@@ -77,7 +76,6 @@ impl Folder {
     /// The bytes of a file.
     ///
     /// *Cost*: linear in them.
-    #[cfg_attr(not(test), expect(dead_code, reason = "formats that need other files ask for it"))]
     pub(crate) fn open(&self, name: &[u8], limits: &Limits) -> Result<Vec<u8>, NotOpened> {
         let path = match self.find(name) {
             Lead::There(path) => path,

@@ -20,7 +20,6 @@ pub(crate) struct Source<'a> {
     /// How far ahead of its reader a text is parsed.
     pub(crate) pace: Pace,
     /// The folder of the file, if it was read from one.
-    #[expect(dead_code, reason = "formats that need other files ask for it")]
     pub(crate) folder: Option<&'a Folder>,
 }
 

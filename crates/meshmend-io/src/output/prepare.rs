@@ -8,7 +8,7 @@ use meshmend_core::PolygonMesh;
 use crate::formats::drivers::driver;
 use crate::output::companions::{unnamed_loss, write_with};
 use crate::shell::{NamedContent, NamedFile};
-use crate::{Loss, Prepared, WriteError, WriteErrorKind, WriteOptions};
+use crate::{Encoding, Format, Loss, Prepared, WriteError, WriteErrorKind, WriteOptions};
 
 impl Prepared {
     /// Makes a mesh ready. The options must name a format.
@@ -19,18 +19,7 @@ impl Prepared {
     /// *Cost*: O(1), unless the format needs the mesh to be changed.
     pub fn new(mesh: &PolygonMesh, options: &WriteOptions) -> Result<Self, WriteErrorKind> {
         let (format, encoding) = options.resolved()?;
-        let mut prepared = Prepared {
-            given: mesh.clone(),
-            mesh: mesh.clone(),
-            format,
-            encoding,
-            options: options.clone(),
-            losses: Vec::new(),
-            record: None,
-            companions: Vec::new(),
-            taken: Vec::new(),
-            at_vertices: Vec::new(),
-        };
+        let mut prepared = Prepared::as_given(mesh, format, encoding, options.clone());
         prepared.turn_textures()?;
         (driver(format).prepare)(&mut prepared)?;
         if options.shell.format() == Some(format) {
@@ -39,6 +28,27 @@ impl Prepared {
         let copies = options.copies(prepared.taken.iter().map(|name| &name[..]));
         prepared.companions.extend(copies);
         Ok(prepared)
+    }
+
+    /// A mesh as it is, to which nothing was done yet.
+    pub(crate) fn as_given(
+        mesh: &PolygonMesh,
+        format: Format,
+        encoding: Encoding,
+        options: WriteOptions,
+    ) -> Self {
+        Prepared {
+            given: mesh.clone(),
+            mesh: mesh.clone(),
+            format,
+            encoding,
+            options,
+            losses: Vec::new(),
+            record: None,
+            companions: Vec::new(),
+            taken: Vec::new(),
+            at_vertices: Vec::new(),
+        }
     }
 
     /// What the file won't carry.

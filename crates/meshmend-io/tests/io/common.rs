@@ -1,7 +1,7 @@
 //! What the tests of all formats share.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use meshmend_core::{Domain, Layer, PolygonMesh, Values};
 use meshmend_io::{
@@ -25,6 +25,16 @@ impl Drop for Folder {
     fn drop(&mut self) {
         fs::remove_dir_all(&self.0).ok();
     }
+}
+
+/// A path in the folder of references and test files beside the workspace, if it exists.
+pub(crate) fn shared(name: &str) -> Option<PathBuf> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared").join(name);
+    if path.exists() {
+        return Some(path);
+    }
+    println!("skipped: there is no {}", path.display());
+    None
 }
 
 /// Reads bytes as a format.

@@ -7,6 +7,8 @@ mod common;
 mod conversions;
 mod corpus;
 mod formats;
+mod gltf_corpus;
+mod gltf_splice;
 mod messages;
 mod obj;
 mod obj_companions;

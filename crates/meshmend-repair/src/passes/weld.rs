@@ -175,6 +175,24 @@ fn diagonal(mesh: &PolygonMesh) -> f64 {
     meshmend_geometry::diagonal(&used_positions(mesh))
 }
 
+/// Classes of vertices in which those that others join are joined too. Each vertex names the lowest of its class.
+fn joined_classes(mut classes: Vec<VertexId>, others: &[VertexId]) -> Vec<VertexId> {
+    let lowest = |classes: &[VertexId], mut vertex: VertexId| {
+        while classes[vertex.index()] != vertex {
+            vertex = classes[vertex.index()];
+        }
+        vertex
+    };
+    for (at, &other) in others.iter().enumerate() {
+        let (one, other) = (lowest(&classes, VertexId::new(at)), lowest(&classes, other));
+        classes[one.max(other).index()] = one.min(other);
+    }
+    for at in 0..classes.len() {
+        classes[at] = classes[classes[at].index()];
+    }
+    classes
+}
+
 /// The positions, with NaN for vertices that no face and no loose edge uses.
 fn used_positions(mesh: &PolygonMesh) -> Cow<'_, [[f64; 3]]> {
     let mut is_used = vec![false; mesh.counts().vertices];
@@ -197,6 +215,7 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
             // Coordinates that are too large can't resolve the distance. If no face has them, they are set aside.
             (Err(NoClasses::Unresolved { .. }), Cow::Owned(used)) => {
                 proximity_classes(&used, epsilon, &goes_on)
+                    .map(|classes| joined_classes(classes, &coincident_vertices(mesh)))
             }
             _ => classes,
         };

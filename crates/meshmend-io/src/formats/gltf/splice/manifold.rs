@@ -1,0 +1,58 @@
+//! Which corners are at one vertex, where the file says so.
+
+use crate::formats::gltf::accessor::Component;
+use crate::formats::gltf::fault::Fault;
+use crate::formats::gltf::primitives::{MANIFOLD, Mesh};
+use crate::formats::gltf::splice::part_change::PartChange;
+use crate::formats::gltf::splice::slots::Slots;
+use crate::formats::gltf::splice::users::{User, Users};
+
+/// What becomes of the extension of a mesh.
+pub(super) struct ManifoldEdit {
+    pub(super) mesh: usize,
+    /// The accessor of the indices, and that of the positions; `None`: the extension is taken off, as the mesh is no
+    /// closed manifold of one pool any more.
+    pub(super) stated: Option<(usize, Option<usize>)>,
+}
+
+/// What becomes of the extension of a mesh that changed, if it has it.
+///
+/// # Errors
+/// If the extension is malformed.
+pub(super) fn manifold_edit(
+    mesh: &Mesh<'_>,
+    change: &PartChange,
+    slots: &mut Slots,
+    users: &Users,
+) -> Result<Option<ManifoldEdit>, Fault> {
+    let Some(extensions) = mesh.object.object("extensions")? else { return Ok(None) };
+    let Some(manifold) = extensions.object(MANIFOLD)? else { return Ok(None) };
+    let gone = Some(ManifoldEdit { mesh: change.mesh, stated: None });
+    let Some(primitive) = manifold.object("manifoldPrimitive")? else { return Ok(gone) };
+    let Some(vertices) = change.vertices.as_ref().filter(|vertices| is_closed_manifold(vertices)) else {
+        return Ok(gone);
+    };
+    let attributes = primitive.object("attributes")?;
+    let positions = attributes.and_then(|attributes| attributes.get("POSITION")?.as_count());
+    let own = mesh.primitives.iter().flat_map(|primitive| &primitive.attributes);
+    let own = own.filter(|(semantic, _)| semantic.is_position()).all(|&(_, own)| Some(own as u64) == positions);
+    if !own {
+        return Ok(gone);
+    }
+    let positions = slots.renamed_positions(change.mesh);
+    let old = mesh.manifold_indices;
+    let highest = vertices.iter().max().copied().unwrap_or_default();
+    let component = if highest < u32::from(u16::MAX) { Component::U16 } else { Component::U32 };
+    let indices = slots.add_numbers(vertices, component, old, User::Manifold(change.mesh), users);
+    Ok(Some(ManifoldEdit { mesh: change.mesh, stated: Some((indices, positions)) }))
+}
+
+/// Whether each side of a triangle is that of one other triangle, which runs through it the other way.
+fn is_closed_manifold(corners: &[u32]) -> bool {
+    let sides = |triangle: &[u32]| [[triangle[0], triangle[1]], [triangle[1], triangle[2]], [triangle[2], triangle[0]]];
+    let mut there: Vec<[u32; 2]> = corners.chunks_exact(3).flat_map(sides).collect();
+    let mut back: Vec<[u32; 2]> = there.iter().map(|&[from, to]| [to, from]).collect();
+    there.sort_unstable();
+    back.sort_unstable();
+    !there.is_empty() && there.windows(2).all(|pair| pair[0] != pair[1]) && there == back
+}
