@@ -117,3 +117,38 @@ fn devices_take_whatever_is_written_to_them() {
     meshmend(&["repair", &input, "-o", "/dev/full", "--to", "obj"]).fails(4, "/dev/full");
     meshmend(&["convert", &input, &folder.at("nothing"), "--to", "ply"]).fails(4, "nothing");
 }
+
+#[test]
+fn what_an_output_names_stands_beside_it_and_no_other_file_is_overwritten() {
+    let folder = Folder::new();
+    for name in ["in", "out"] {
+        fs::create_dir(folder.at(name)).unwrap();
+    }
+    folder.with("in/a.mtl", "newmtl red\nmap_Kd red.png\n");
+    folder.with("in/red.png", "pixels");
+    let input = folder.with("in/a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    let names = || {
+        let mut names: Vec<String> = fs::read_dir(folder.at("out"))
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    };
+    let output = folder.at("out/b.obj");
+    assert_eq!(meshmend(&["repair", &input, "-o", &output, "--companions", "skip"]).status, 0);
+    assert_eq!(names(), ["b.obj"]);
+    // A dry run writes nothing.
+    assert_eq!(meshmend(&["repair", &input, "-o", &output, "--dry-run"]).status, 0);
+    assert_eq!(names(), ["b.obj"]);
+    assert_eq!(meshmend(&["convert", &input, &output]).status, 0);
+    assert_eq!(names(), ["a.mtl", "b.obj", "red.png"]);
+    assert_eq!(meshmend(&["repair", &input, "-o", &output]).status, 0);
+    folder.with("out/red.png", "other pixels");
+    folder.with("out/b.obj", "old");
+    for command in [&["convert", &input, &output][..], &["repair", &input, "-o", &output]] {
+        meshmend(command).fails(4, "`red.png` beside it is another file");
+        assert_eq!(fs::read_to_string(&output).unwrap(), "old");
+    }
+    assert_eq!(fs::read_to_string(folder.at("out/red.png")).unwrap(), "other pixels");
+}
