@@ -5,5 +5,6 @@
 
 mod damaged;
 mod documents;
+mod new_files;
 mod skinned;
 mod unchanged;

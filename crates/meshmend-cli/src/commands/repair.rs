@@ -78,6 +78,7 @@ impl Target<'_> {
     fn precision(&self) -> Precision {
         match self.options.resolved() {
             Ok((Format::Stl, encoding)) if encoding != Encoding::Ascii => Precision::Single,
+            Ok((Format::Glb | Format::Gltf, _)) => Precision::Single,
             _ => Precision::Double,
         }
     }

@@ -22,10 +22,7 @@ impl Prepared {
         let mut prepared = Prepared::as_given(mesh, format, encoding, options.clone());
         prepared.turn_textures()?;
         (driver(format).prepare)(&mut prepared)?;
-        if options.shell.format() == Some(format) {
-            prepared.taken.extend(options.shell.companions().into_iter().map(|file| file.name));
-        }
-        let copies = options.copies(prepared.taken.iter().map(|name| &name[..]));
+        let copies = options.copies(prepared.named.iter().map(|name| &name[..]));
         prepared.companions.extend(copies);
         Ok(prepared)
     }
@@ -46,7 +43,8 @@ impl Prepared {
             losses: Vec::new(),
             record: None,
             companions: Vec::new(),
-            taken: Vec::new(),
+            named: Vec::new(),
+            held: Vec::new(),
             at_vertices: Vec::new(),
         }
     }
@@ -78,11 +76,12 @@ impl Prepared {
     /// The losses of the files that the input names.
     fn companion_losses(&self) -> impl Iterator<Item = Loss> {
         let files = self.options.shell.companions();
-        let (taken, left): (Vec<NamedFile>, Vec<NamedFile>) =
-            files.into_iter().partition(|file| self.taken.contains(&file.name));
-        let is_lost = |file: &&NamedFile| file.content != NamedContent::Buffer;
+        let (named, left): (Vec<NamedFile>, Vec<NamedFile>) =
+            files.into_iter().partition(|file| self.named.contains(&file.name));
+        let is_lost =
+            |file: &&NamedFile| file.content != NamedContent::Buffer && !self.held.contains(&file.name);
         let left: Vec<&[u8]> = left.iter().filter(is_lost).map(|file| &file.name[..]).collect();
-        self.options.stay_loss(&taken).into_iter().chain(unnamed_loss(&left))
+        self.options.stay_loss(&named).into_iter().chain(unnamed_loss(&left))
     }
 
     /// Writes it to any sink.

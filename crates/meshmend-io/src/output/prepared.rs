@@ -35,8 +35,10 @@ pub struct Prepared {
     pub(crate) record: Option<Provenance>,
     /// The files that are to stand beside it, as far as they are not there.
     pub(crate) companions: Vec<Companion>,
-    /// Which of the files that the input names the output names as well, or holds.
-    pub(crate) taken: Vec<Vec<u8>>,
+    /// The files that the input names and the output names as well.
+    pub(crate) named: Vec<Vec<u8>>,
+    /// The files that the input names and whose content is in the output.
+    pub(crate) held: Vec<Vec<u8>>,
     /// The places of the layers that were moved from the corners to the vertices.
     pub(crate) at_vertices: Vec<usize>,
 }

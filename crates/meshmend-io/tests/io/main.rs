@@ -9,6 +9,7 @@ mod corpus;
 mod formats;
 mod gltf_corpus;
 mod gltf_splice;
+mod materials;
 mod messages;
 mod obj;
 mod obj_companions;

@@ -11,6 +11,7 @@ mod fault;
 mod file;
 mod fresh;
 mod json;
+mod materials;
 mod nodes;
 mod part;
 mod pools;

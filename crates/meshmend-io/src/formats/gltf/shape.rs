@@ -4,12 +4,13 @@ use crate::document::{Document, Placement};
 use crate::formats::gltf::asset::Asset;
 use crate::formats::gltf::fault::Fault;
 use crate::formats::gltf::file::File;
+use crate::formats::gltf::materials;
 use crate::formats::gltf::nodes::{Placed, nodes, placed, roots};
 use crate::formats::gltf::primitives::Mode;
 use crate::formats::gltf::splice;
-use crate::shell::{Output, Shape, Splice, Spliced};
+use crate::shell::{NamedFile, Output, Shape, Splice, Spliced};
 use crate::text::one_or_many;
-use crate::{Format, Loss, LossKind, WriteErrorKind};
+use crate::{Format, Loss, LossKind, Material, WriteErrorKind};
 
 /// A file as it was read.
 #[derive(Debug)]
@@ -113,6 +114,14 @@ impl Shape for GltfShape {
     fn splice(&self, document: &Document, splice: &Splice<'_>) -> Option<Result<Spliced, WriteErrorKind>> {
         let is_scene = matches!(splice.format, Format::Glb | Format::Gltf);
         is_scene.then(|| splice::splice(&self.file, document, splice))
+    }
+
+    fn materials(&self) -> Vec<Material> {
+        materials::materials(&self.file).unwrap_or_default()
+    }
+
+    fn companions(&self) -> Vec<NamedFile> {
+        materials::named_files(&self.file).unwrap_or_default()
     }
 
     fn placements(&self) -> Option<Vec<Placement>> {

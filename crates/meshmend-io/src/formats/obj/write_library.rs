@@ -15,8 +15,12 @@ use crate::{Companions, Format, Loss, LossKind, Prepared};
 /// become files beside the output.
 pub(super) fn make_library(prepared: &mut Prepared) {
     let materials = prepared.materials();
-    let has_library = prepared.options.materials.is_none() && prepared.options.shell.format() == Some(Format::Obj);
-    if materials.is_empty() || has_library {
+    if prepared.options.materials.is_none() && prepared.options.shell.format() == Some(Format::Obj) {
+        // The file names its libraries itself.
+        let named = prepared.options.shell.companions().into_iter().map(|file| file.name);
+        return prepared.named.extend(named);
+    }
+    if materials.is_empty() {
         return;
     }
     let is_wanted = prepared.options.companions == Companions::Copy && prepared.options.folder.is_some();
@@ -27,13 +31,13 @@ pub(super) fn make_library(prepared: &mut Prepared) {
         }));
         return;
     };
-    let mut library = Library { stem, text: Vec::new(), pictures: Vec::new(), taken: Vec::new() };
+    let mut library = Library { stem, text: Vec::new(), pictures: Vec::new(), named: Vec::new() };
     materials.iter().for_each(|material| library.add(material));
-    let Library { stem, text, pictures, taken } = library;
+    let Library { stem, text, pictures, named } = library;
     let name = format!("{stem}.mtl").into_bytes();
     prepared.companions.push(Companion { name: name.clone(), content: Content::Bytes(text.into()) });
     prepared.companions.extend(pictures.into_iter().map(|(_, companion)| companion));
-    prepared.taken.extend(taken);
+    prepared.named.extend(named);
     prepared.losses.extend(other_words_loss(&materials, "MTL"));
     let mut metadata = vec![Metadata { key: "mtllib".to_owned(), value: name }];
     metadata.extend_from_slice(prepared.mesh.metadata());
@@ -47,7 +51,7 @@ struct Library {
     /// The pictures that become files, with those.
     pictures: Vec<(Picture, Companion)>,
     /// The names of those that are files.
-    taken: Vec<Vec<u8>>,
+    named: Vec<Vec<u8>>,
 }
 
 impl Library {
@@ -83,7 +87,7 @@ impl Library {
         match picture {
             Some(Picture::File(name)) => {
                 self.statement(word, name);
-                self.taken.push(name.clone());
+                self.named.push(name.clone());
             }
             Some(embedded @ Picture::Embedded { name, bytes }) => {
                 let made = self.pictures.iter().find(|(picture, _)| picture == embedded);
@@ -160,7 +164,7 @@ mod tests {
         let expected = "newmtl red_paint\nKd 1 0.5 0.1\nd 0.25\nmap_Kd car_wood_grain.png\nmap_Ke car_image.jpg\n\
             newmtl steel\nPm 1\nPr 0\nmap_Kd car_wood_grain_2.png\nmap_Ke car_wood_grain.png\nnorm n.png\n";
         assert_eq!(String::from_utf8_lossy(text), expected.replace("red_paint", "red paint"));
-        assert_eq!(prepared.taken, [b"n.png".to_vec()]);
+        assert_eq!(prepared.named, [b"n.png".to_vec()]);
         let mut obj = Vec::new();
         prepared.encode(&mut obj).unwrap();
         assert!(obj.starts_with(b"mtllib car.mtl\nv "));

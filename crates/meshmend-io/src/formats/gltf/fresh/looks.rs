@@ -45,9 +45,9 @@ pub(super) fn take(prepared: &mut Prepared) {
     losses.extend(other_words_loss(&taken, "glTF"));
     let libraries = prepared.options.shell.companions().into_iter();
     let libraries = libraries.filter(|file| file.content == NamedContent::Materials).map(|file| file.name);
-    prepared.taken.extend(libraries);
+    prepared.held.extend(libraries);
     let pictures = taken.iter().flat_map(Material::pictures).filter_map(file_name);
-    prepared.taken.extend(pictures);
+    prepared.named.extend(pictures);
     prepared.losses.extend(losses);
     prepared.options.materials = Some(taken.into());
 }

@@ -49,7 +49,8 @@ impl Written {
             losses: Vec::new(),
             record: None,
             companions: Vec::new(),
-            taken: Vec::new(),
+            named: Vec::new(),
+            held: Vec::new(),
             at_vertices: Vec::new(),
         };
         prepare(&mut prepared).unwrap();
