@@ -3,11 +3,12 @@
 //! A layer of vertices and one of faces name the row of the text that each is: `row`. They ride through all passes, and
 //! are how the writer finds the rows that stay.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use meshmend_core::{Carry, Domain, FaceTable, Layer, NO_VALUE, PolygonMesh, Role, Values};
 
-use crate::document::{Part, PartSource, PartStatus};
+use crate::document::{Material, Part, PartSource, PartStatus};
 use crate::formats::threemf::model::{BaseMaterials, Content, MeshText, Model, NONE, Object, Places};
 use crate::formats::threemf::package::Fault;
 
@@ -33,6 +34,7 @@ pub(super) struct Origin {
 pub(super) fn of(models: Vec<Model>) -> Result<(Vec<Part>, Vec<Origin>), Fault> {
     let (mut parts, mut origins) = (Vec::new(), Vec::new());
     for (at, model) in models.into_iter().enumerate() {
+        let materials = Groups::of(&model.materials);
         for object in model.objects {
             let Object { id, name, kind, content, has_slices } = object;
             let (text, seal) = match content {
@@ -45,7 +47,7 @@ pub(super) fn of(models: Vec<Model>) -> Result<(Vec<Part>, Vec<Origin>), Fault> 
             };
             let places = text.places.clone();
             let failed = |reason: String| Fault::of_object(&model.entry, id, reason);
-            let mesh = mesh_of(text, &model.materials).map_err(failed)?;
+            let mesh = mesh_of(text, &materials).map_err(failed)?;
             let source = PartSource::ThreeMfObject { entry: Arc::clone(&model.entry), id, kind };
             let status = seal.map_or(PartStatus::Editable, PartStatus::Sealed);
             parts.push(Part { name: name.into_bytes(), source, mesh: mesh.clone(), status });
@@ -59,7 +61,7 @@ fn seal(id: u32, name: &str) -> String {
     format!("object {id} holds `{name}`, which numbers its vertices or triangles in a way not known here")
 }
 
-fn mesh_of(text: MeshText, materials: &[BaseMaterials]) -> Result<PolygonMesh, String> {
+fn mesh_of(text: MeshText, materials: &Groups<'_>) -> Result<PolygonMesh, String> {
     let MeshText { positions, corners, groups, members, .. } = text;
     let (vertices, triangles) = (positions.len(), corners.len() / 3);
     let faces = FaceTable::triangles(vertices, corners).map_err(|error| error.to_string())?;
@@ -100,22 +102,35 @@ fn tells_all(material: &Layer, groups: &[u32], members: &[u32]) -> bool {
     })
 }
 
-/// The names of the base materials that triangles have.
-fn material_layer(groups: &[u32], members: &[u32], materials: &[BaseMaterials]) -> Option<Layer> {
-    let mut starts = Vec::with_capacity(materials.len());
-    let mut names: Vec<Vec<u8>> = Vec::new();
-    for group in materials {
-        starts.push((group.id, names.len(), group.members.len()));
-        names.extend(group.members.iter().map(|member| member.name.clone()));
+/// The base materials of a model by the ids of their groups.
+pub(super) struct Groups<'a> {
+    groups: BTreeMap<u32, &'a [Material]>,
+}
+
+impl<'a> Groups<'a> {
+    pub(super) fn of(materials: &'a [BaseMaterials]) -> Self {
+        Groups { groups: materials.iter().map(|group| (group.id, group.members.as_slice())).collect() }
     }
-    starts.sort_unstable();
-    let name = |(group, member): (&u32, &u32)| {
-        let (_, start, length) = starts[starts.binary_search_by_key(group, |start| start.0).ok()?];
-        let member = *member as usize;
-        (member < length).then_some((start + member) as u32)
-    };
-    let firsts = members.iter().step_by(3);
-    let uses: Vec<u32> = groups.iter().zip(firsts).map(|pair| name(pair).unwrap_or(NO_VALUE)).collect();
-    let has_some = uses.iter().any(|&name| name != NO_VALUE);
+
+    fn name(&self, group: u32, member: u32) -> Option<&'a [u8]> {
+        self.groups.get(&group)?.get(member as usize).map(|material| material.name.as_slice())
+    }
+}
+
+/// The names of the base materials that triangles have, each member of a group once.
+fn material_layer(groups: &[u32], members: &[u32], materials: &Groups<'_>) -> Option<Layer> {
+    let mut known: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+    let (mut names, mut uses) = (Vec::new(), Vec::with_capacity(groups.len()));
+    for (&group, &member) in groups.iter().zip(members.iter().step_by(3)) {
+        let Some(name) = materials.name(group, member) else {
+            uses.push(NO_VALUE);
+            continue;
+        };
+        uses.push(*known.entry((group, member)).or_insert_with(|| {
+            names.push(name.to_vec());
+            names.len() as u32 - 1
+        }));
+    }
+    let has_some = !names.is_empty();
     has_some.then(|| Layer::indexed("material", Domain::Face, 1, Carry::Copy, Values::Text(names), uses))
 }

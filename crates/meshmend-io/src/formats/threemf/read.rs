@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use meshmend_core::printable;
+
 use crate::document::ObjectKind;
 use crate::formats::driver::ReadResult;
 use crate::formats::threemf::assembly::Assembly;
@@ -61,7 +63,7 @@ fn notes_of(parts: &[crate::Part]) -> Notes {
     let mut notes = Notes::default();
     for part in parts {
         let place = || match &part.source {
-            crate::PartSource::ThreeMfObject { entry, id, .. } => Place::Entry(format!("{entry}#{id}")),
+            crate::PartSource::ThreeMfObject { entry, id, .. } => Place::Entry(printable(&format!("{entry}#{id}"))),
             _ => Place::File,
         };
         if let Some(reason) = part.seal() {
@@ -90,6 +92,7 @@ impl Reader<'_, '_> {
     /// Reads the root model, and each model that one of those before it names.
     fn read_models(&mut self) -> Result<(), Fault> {
         let root = self.root()?;
+        let mut noted = BTreeSet::new();
         let mut known = BTreeMap::from([(root.to_ascii_lowercase(), 0)]);
         self.read_model(&root)?;
         let mut at = 0;
@@ -104,7 +107,9 @@ impl Reader<'_, '_> {
                 if number == self.models.len() {
                     self.read_model(&name)?;
                 }
-                self.models[number].note_use(object);
+                if noted.insert((number, object)) {
+                    self.models[number].note_use(object);
+                }
             }
             at += 1;
         }
@@ -179,9 +184,9 @@ impl Model {
         }
     }
 
-    /// Takes in that another model names an object of this one.
+    /// Takes in that another model names an object of this one, which was not named before.
     fn note_use(&mut self, id: u32) {
-        if self.is_encrypted && !self.objects.iter().any(|object| object.id == id) {
+        if self.is_encrypted {
             let content = Content::Other("is in an encrypted model".to_owned());
             self.objects.push(Object { id, name: String::new(), kind: ObjectKind::Other, content, has_slices: false });
         }

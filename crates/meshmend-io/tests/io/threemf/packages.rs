@@ -136,6 +136,14 @@ fn text_that_is_no_xml_of_3mf_is_refused() {
 }
 
 #[test]
+fn an_error_is_one_line_whatever_the_text_and_the_names_say() {
+    let broken = String::from_utf8(good()).unwrap().replace("</mesh>", "</b\nmesh>");
+    assert!(!refused(&package_of(broken.as_bytes())).contains('\n'));
+    let named = archive(&[("3D\n/../x", b"x"), ("_rels/.rels", RELATIONS.as_bytes())]);
+    assert_eq!(refused(&named), "test.3mf: 3D\\n/../x: the name leads out of the package");
+}
+
+#[test]
 fn the_five_encodings_are_read() {
     let text = String::from_utf8(good()).unwrap().replace("UTF-8", "UTF-16");
     let little: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();

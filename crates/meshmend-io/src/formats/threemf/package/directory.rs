@@ -1,5 +1,6 @@
 //! What is in a package: the entries of a zip archive, each with the place of its bytes.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use rawzip::{CompressionMethod, ZipArchive, ZipFileHeaderRecord, ZipSliceArchive};
@@ -10,6 +11,8 @@ use super::fault::Fault;
 #[derive(Clone, Debug)]
 pub(in crate::formats::threemf) struct Directory {
     pub(super) entries: Vec<Entry>,
+    /// The place of each entry by its name in lower case.
+    names: BTreeMap<String, usize>,
     /// What the archive says of itself.
     pub(super) comment: Vec<u8>,
 }
@@ -56,14 +59,15 @@ impl Directory {
             return Err(Fault::at_byte(archive.eocd_offset(), reason));
         }
         bound(&mut entries, archive.directory_offset())?;
-        check_names(&entries)?;
-        Ok(Directory { entries, comment: archive.comment().as_bytes().to_vec() })
+        let names = names_of(&entries)?;
+        Ok(Directory { entries, names, comment: archive.comment().as_bytes().to_vec() })
     }
 
     /// The entry of a name, in any case and with or without `/` at its start, and its place in the directory.
     pub(in crate::formats::threemf) fn entry(&self, name: &str) -> Option<(usize, &Entry)> {
-        let name = name.trim_start_matches('/');
-        self.entries.iter().enumerate().find(|(_, entry)| entry.name.eq_ignore_ascii_case(name))
+        let name = name.trim_start_matches('/').to_ascii_lowercase();
+        let place = *self.names.get(&name)?;
+        self.entries.get(place).map(|entry| (place, entry))
     }
 }
 
@@ -119,13 +123,17 @@ fn bound(entries: &mut [Entry], directory: u64) -> Result<(), Fault> {
     Ok(())
 }
 
-fn check_names(entries: &[Entry]) -> Result<(), Fault> {
-    let mut names: Vec<String> = entries.iter().map(|entry| entry.name.to_ascii_lowercase()).collect();
-    names.sort_unstable();
-    match names.windows(2).find(|pair| pair[0] == pair[1]) {
-        Some(pair) => Err(Fault::of_entry(&pair[0], "two entries have this name")),
-        None => Ok(()),
+/// The place of each entry by its name in lower case, which no two may share.
+fn names_of(entries: &[Entry]) -> Result<BTreeMap<String, usize>, Fault> {
+    let mut names = BTreeMap::new();
+    for (place, entry) in entries.iter().enumerate() {
+        let name = entry.name.to_ascii_lowercase();
+        if names.contains_key(&name) {
+            return Err(Fault::of_entry(&name, "two entries have this name"));
+        }
+        names.insert(name, place);
     }
+    Ok(names)
 }
 
 /// A message as the end of a sentence.

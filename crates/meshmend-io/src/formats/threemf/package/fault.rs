@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use meshmend_core::printable;
+
 use crate::input::source::Source;
 use crate::{Place, ReadError, ReadErrorKind};
 
@@ -20,18 +22,18 @@ impl Fault {
 
     /// Something is wrong with one entry.
     pub(in crate::formats::threemf) fn of_entry(name: &str, reason: impl Into<String>) -> Self {
-        Fault { place: Place::Entry(name.to_owned()), kind: ReadErrorKind::Malformed(reason.into()) }
+        Fault { place: Place::Entry(printable(name)), kind: ReadErrorKind::Malformed(reason.into()) }
     }
 
     /// Something is wrong with an object of a model.
     pub(in crate::formats::threemf) fn of_object(entry: &str, id: u32, reason: impl Into<String>) -> Self {
-        let place = Place::Entry(format!("{entry}#{id}"));
+        let place = Place::Entry(printable(&format!("{entry}#{id}")));
         Fault { place, kind: ReadErrorKind::Malformed(reason.into()) }
     }
 
     /// There is more of something than the limits allow.
     pub(in crate::formats::threemf) fn limit(entry: &str, what: &'static str, found: u64, limit: u64) -> Self {
-        let place = Place::Entry(entry.to_owned());
+        let place = Place::Entry(printable(entry));
         Fault { place, kind: ReadErrorKind::LimitExceeded { what, found, limit } }
     }
 

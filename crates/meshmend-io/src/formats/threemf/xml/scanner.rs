@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use meshmend_core::printable;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
@@ -190,7 +191,10 @@ impl<'a> Scanner<'a> {
                 }
                 Ok(Event::Eof) => return self.ended(),
                 Ok(event) => self.pass(&event)?,
-                Err(error) => return Err(self.wrong(format!("no well-formed XML: {error}"))),
+                Err(error) => {
+                    let reason = printable(&error.to_string());
+                    return Err(self.wrong(format!("no well-formed XML: {reason}")));
+                }
             }
         }
     }
