@@ -20,6 +20,7 @@ mod readers;
 mod repairs;
 mod room;
 mod round_trip;
+mod splice;
 mod zip;
 
 pub use arguments::arguments;
@@ -31,6 +32,7 @@ pub use packages::threemf;
 pub use readers::{formats, obj, off, ply, sniff, stl};
 pub use repairs::{passes, plan, repair};
 pub use round_trip::round_trip;
+pub use splice::splice;
 
 /// A fuzz target.
 #[derive(Clone, Copy, Debug)]
@@ -48,4 +50,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf);
+targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf splice);

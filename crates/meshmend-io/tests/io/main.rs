@@ -8,6 +8,7 @@ mod conversions;
 mod corpus;
 mod formats;
 mod gltf_corpus;
+mod gltf_rules;
 mod gltf_splice;
 mod materials;
 mod messages;

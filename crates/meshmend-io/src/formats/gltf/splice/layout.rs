@@ -240,7 +240,13 @@ fn uncovered(asset: &Asset<'_>, layout: &Layout, freed: &[bool]) -> Result<Vec<R
         }
     }
     covered.sort_by_key(|range| (range.start, range.end));
-    let mut removed = layout.removed.clone();
+    if layout.removed.is_empty() {
+        return Ok(Vec::new());
+    }
+    // What fills up to a multiple of 4 goes with the bytes before it.
+    let length = usize::try_from(asset.buffer_length(layout.buffer)?).unwrap_or(usize::MAX);
+    let filled = |range: &Range<usize>| range.start..range.end.next_multiple_of(4).min(length).max(range.end);
+    let mut removed: Vec<Range<usize>> = layout.removed.iter().map(filled).collect();
     removed.sort_by_key(|range| (range.start, range.end));
     let mut left: Vec<Range<usize>> = Vec::new();
     let mut done = 0;
