@@ -138,8 +138,15 @@ fn replacements() -> Vec<Replacement> {
         }
         // Onto itself: from the same format in another encoding, or with a line that is not kept as it is.
         let other = format.encodings().iter().copied().find(|&other| other != encoding);
+        let container = match format {
+            Format::Glb => Some(Format::Gltf),
+            Format::Gltf => Some(Format::Glb),
+            _ => None,
+        };
         let bytes = match other {
             Some(other) => encoded(&mesh, (format, other)),
+            // What is not changed is written as it was, but for its container.
+            None if container.is_some() => encoded(&mesh, (container.unwrap_or(format), encoding)),
             None if format == Format::Obj => text.clone().into_bytes(),
             None => [&encoded(&mesh, (format, encoding))[..], b"\n\n"].concat(),
         };

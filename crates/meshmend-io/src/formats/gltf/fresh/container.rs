@@ -34,8 +34,8 @@ pub(in crate::formats::gltf) fn encode_glb(
         start.extend_from_slice(&BIN_CHUNK.to_le_bytes());
     }
     out.write_all(&start)?;
-    buffer::write(&file, out)?;
-    Ok(out.flush()?)
+    // This flushes the sink at its end.
+    Ok(buffer::write(&file, out)?)
 }
 
 /// Writes a text with the buffer in a data URI.
