@@ -61,6 +61,11 @@ pub(crate) trait Shape: Any + fmt::Debug + Send + Sync {
         None
     }
 
+    /// Whether a file of a format is written as this one was read, with what changed.
+    fn is_spliced_into(&self, _: Format) -> bool {
+        false
+    }
+
     /// The file as it was read, with the meshes that its parts have now. `None`: the format asked for is another kind
     /// of file, or a file of this kind is made of its mesh alone.
     fn splice(&self, _: &Document, _: &Splice<'_>) -> Option<Result<Spliced, WriteErrorKind>> {
@@ -230,6 +235,12 @@ impl Shell {
     /// Where the file puts its parts.
     pub(crate) fn placements(&self) -> Option<Vec<Placement>> {
         self.file.as_ref().and_then(|file| file.shape.placements())
+    }
+
+    /// Whether a file of a format is written as the one that was read, with what changed in its meshes; else it is a
+    /// new file of one mesh.
+    pub fn is_spliced_into(&self, format: Format) -> bool {
+        self.file.as_ref().is_some_and(|file| file.shape.is_spliced_into(format))
     }
 
     /// The file as it was read, with the meshes that its parts have now.

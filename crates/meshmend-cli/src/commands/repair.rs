@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshmend::formats::{Placing, Prepared, held_layers, replace_file, rounding_losses};
+use meshmend::mesh::{Domain, DraftError, Provenance};
 use meshmend::passes::{FaceStorage, Precision, Writing};
 use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
 use meshmend::{
@@ -74,9 +75,16 @@ pub(super) struct Target<'a> {
 }
 
 impl Target<'_> {
+    /// Whether the file is the one that was read, with what changed in its meshes.
+    fn is_spliced(&self) -> bool {
+        self.options.format.is_some_and(|format| self.options.shell.is_spliced_into(format))
+    }
+
     /// How precisely the file stores positions.
     fn precision(&self) -> Precision {
         match self.options.resolved() {
+            // Positions stay in the type that they have.
+            Ok(_) if self.is_spliced() => Precision::Double,
             Ok((Format::Stl, encoding)) if encoding != Encoding::Ascii => Precision::Single,
             Ok((Format::Glb | Format::Gltf, _)) => Precision::Single,
             _ => Precision::Double,
@@ -91,8 +99,14 @@ impl Target<'_> {
 
     /// How the file stores faces. A mesh that can't be prepared is an error only when it is written.
     fn storage(&self) -> FaceStorage {
+        if self.is_spliced() {
+            return FaceStorage::default().written_by(Writing::by(in_rows));
+        }
         let holds_polygons = self.options.format.is_none_or(Format::holds_polygons);
-        let storage = if holds_polygons { FaceStorage::default() } else { FaceStorage::apart() };
+        let storage = match self.options.format {
+            Some(Format::Stl) => FaceStorage::apart(),
+            _ => FaceStorage::default(),
+        };
         let options = self.options.clone();
         storage.written_by(Writing::by(move |mesh| {
             let is_made_ready = !holds_polygons || !mesh.layers().is_empty();
@@ -100,6 +114,15 @@ impl Target<'_> {
             prepared.map_or(Ok(None), |prepared| prepared.as_written(mesh))
         }))
     }
+}
+
+/// A mesh as a file of parts has it: a vertex once for each row that its corners have. `None` if each has one.
+fn in_rows(mesh: &PolygonMesh) -> Result<Option<(PolygonMesh, Provenance)>, DraftError> {
+    let layers = mesh.layers().iter().enumerate();
+    let moved =
+        layers.filter(|(_, layer)| layer.home() == Domain::Vertex && layer.domain() == Domain::Corner);
+    let moved: Vec<usize> = moved.map(|(at, _)| at).collect();
+    if moved.is_empty() { Ok(None) } else { mesh.split_for_vertex_layers(&moved).map(Some) }
 }
 
 impl Repair {
@@ -177,10 +200,11 @@ impl Repair {
         };
         let pipeline = plan.pipeline();
         let Some(target) = target else { return pipeline.in_precision(Precision::Double) };
-        pipeline
-            .for_layers(held_layers(mesh, &target.options))
-            .in_precision(target.precision())
-            .storing(target.storage())
+        let held = match target.is_spliced() {
+            true => vec![true; mesh.layers().len()],
+            false => held_layers(mesh, &target.options),
+        };
+        pipeline.for_layers(held).in_precision(target.precision()).storing(target.storage())
     }
 
     fn makes_json(&self) -> bool {

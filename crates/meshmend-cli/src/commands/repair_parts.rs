@@ -234,6 +234,8 @@ impl RepairedFile {
                 PartResult::GivenBack(reason) => together.add_without(*number, part, "given_back", reason),
             }
         }
+        let is_changed = |(_, result): &(usize, PartResult)| matches!(result, PartResult::Repaired(report) if report.changed);
+        together.say("changed", &self.parts.iter().any(is_changed)).map_err(failed)?;
         together.say("file", &self.name).map_err(failed)?;
         together.say("output", &self.output).map_err(failed)?;
         together.say("notes", &self.document.notes).map_err(failed)?;

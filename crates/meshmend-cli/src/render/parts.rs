@@ -29,7 +29,8 @@ pub(crate) fn checked_parts(checked: &CheckedFile, style: Style) -> String {
             }
         }
     });
-    let rows: Vec<Vec<String>> = std::iter::once(titles).chain(rows).collect();
+    let rows: Vec<Vec<String>> =
+        std::iter::once(titles).chain(rows).filter(|_| !checked.reports.is_empty()).collect();
     let lines = table::lines(&rows, &[Align::Left, Align::Right, Align::Right, Align::Left, Align::Left]);
     page.push_str(&paragraph(&style.heading("parts"), lines));
     page.push_str(&notes(&document.notes, style));

@@ -76,6 +76,7 @@ impl Serialize for PartsDocument {
             [only] => only.as_object().cloned().unwrap_or_default(),
             several => together_of_objects(&several.iter().collect::<Vec<_>>()),
         };
+        top.insert("schema".to_owned(), super::SCHEMA.into());
         top.extend(self.own.clone());
         top.insert("parts".to_owned(), self.parts.iter().cloned().map(Value::Object).collect());
         top.serialize(serializer)

@@ -111,9 +111,12 @@ impl Shape for GltfShape {
         }
     }
 
+    fn is_spliced_into(&self, format: Format) -> bool {
+        matches!(format, Format::Glb | Format::Gltf)
+    }
+
     fn splice(&self, document: &Document, splice: &Splice<'_>) -> Option<Result<Spliced, WriteErrorKind>> {
-        let is_scene = matches!(splice.format, Format::Glb | Format::Gltf);
-        is_scene.then(|| splice::splice(&self.file, document, splice))
+        self.is_spliced_into(splice.format).then(|| splice::splice(&self.file, document, splice))
     }
 
     fn materials(&self) -> Vec<Material> {

@@ -26,7 +26,11 @@ impl Shape for Package {
         self.assembly.placements()
     }
 
+    fn is_spliced_into(&self, format: Format) -> bool {
+        format == Format::ThreeMf
+    }
+
     fn splice(&self, document: &Document, wanted: &Splice<'_>) -> Option<Result<Spliced, WriteErrorKind>> {
-        (wanted.format == Format::ThreeMf).then(|| splice::spliced(self, document))
+        self.is_spliced_into(wanted.format).then(|| splice::spliced(self, document))
     }
 }
