@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::ValueEnum;
-use meshmend::formats::{AttributePrecision, Companions, Shell};
+use meshmend::formats::{AttributePrecision, Companions, ManifoldExtension, Shell};
 use meshmend::{Encoding, Format, ReadFile, Seams, WriteOptions};
 
 use crate::failure::{Failure, Status};
@@ -37,6 +37,10 @@ pub(crate) struct OutputWords {
     /// How a vertex is written whose attributes differ from face to face
     #[arg(long, value_enum, default_value = "split")]
     seams: SeamsWord,
+    /// Say in each mesh of a glTF that is a closed manifold which of its vertices are one (EXT_mesh_manifold), so that
+    /// vertices that were split stay apart
+    #[arg(long)]
+    manifold_extension: bool,
     /// Write texture coordinates, normals and colours of another format in double precision, though many programs don't
     /// read that
     #[arg(long)]
@@ -128,6 +132,9 @@ impl OutputWords {
         };
         let options = WriteOptions::of(format).with_seams(seams).with_precision(precision);
         let mut options = options.with_companions(companions);
+        if self.manifold_extension {
+            options = options.with_manifold_extension(ManifoldExtension::Add);
+        }
         options.encoding = encoding;
         // In which folder a stream ends can't be known.
         Ok(if is_stream(path) { options } else { options.for_path(path) })

@@ -80,3 +80,32 @@ fn what_can_not_be_taken_apart_is_said() {
     let no_part = "there is no part `lid`; the parts are 0: whole file";
     meshmend(&["repair", &input, "--part", "lid", "--dry-run"]).fails(2, no_part);
 }
+
+/// Two tetrahedra that meet in a vertex.
+const PINCHED: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n\
+    f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 5 6\nf 1 7 5\nf 1 6 7\nf 5 7 6\n";
+
+#[test]
+fn a_scene_says_on_request_which_vertices_are_one() {
+    let folder = Folder::new();
+    let (input, scene) = (folder.with("pinched.obj", PINCHED), folder.at("pinched.glb"));
+    meshmend(&["convert", &input, &scene]).succeeds();
+    meshmend(&["check", &scene]).fails(1, "");
+    let (plain, told, again) = (folder.at("plain.glb"), folder.at("told.glb"), folder.at("again.glb"));
+    let text = meshmend(&["repair", &scene, "-o", &plain]).succeeds().stdout;
+    assert!(text.contains("1 vertex that was split stands at one place with others"), "{text}");
+    // By its place the vertex is one again.
+    meshmend(&["check", &plain]).fails(1, "");
+    let text = meshmend(&["repair", &scene, "--manifold-extension", "-o", &told]).succeeds().stdout;
+    assert!(!text.contains("was split"), "{text}");
+    let report = meshmend(&["check", &told, "--json"]).succeeds().json();
+    assert_eq!((&report["manifold"], &report["components"]), (&json!(true), &json!(2)));
+    // Nothing changes any more, with the option or without it; a clean scene gets the extension too.
+    for options in [&["--manifold-extension"][..], &[]] {
+        meshmend(&[&["repair", &told, "-o", &again], options].concat()).succeeds();
+        assert_eq!(fs::read(&told).unwrap(), fs::read(&again).unwrap());
+    }
+    meshmend(&["convert", &plain, &again, "--manifold-extension"]).succeeds();
+    let json = String::from_utf8_lossy(&fs::read(&again).unwrap()).into_owned();
+    assert!(json.contains("\"EXT_mesh_manifold\":{\"manifoldPrimitive\""), "{json}");
+}

@@ -58,7 +58,7 @@ pub use loss::{Loss, LossKind, LostLayer};
 pub use note::{Note, NoteKind};
 pub use output::atomic::{abandon_temporary_files, replace_file, target_of};
 pub use output::held::held_layers;
-pub use output::options::{AttributePrecision, Companions, Seams, WriteOptions};
+pub use output::options::{AttributePrecision, Companions, ManifoldExtension, Seams, WriteOptions};
 pub use output::prepared::Prepared;
 pub use output::rounding::rounding_losses;
 pub use read::{read, read_bytes, read_document, read_document_bytes, read_document_stream, read_stream};

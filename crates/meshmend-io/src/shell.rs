@@ -94,7 +94,6 @@ pub(crate) enum NamedContent {
 }
 
 /// What a file that is written from the one that was read is to be.
-#[expect(dead_code, reason = "formats of several parts ask for it")]
 pub(crate) struct Splice<'a> {
     /// Its format.
     pub(crate) format: Format,

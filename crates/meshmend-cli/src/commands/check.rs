@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use meshmend::formats::{Document, Part};
 use meshmend::report::{CheckDocument, Listing, PartsDocument, json};
 use meshmend::topology::Witness;
-use meshmend::{CheckOptions, CheckReport, DefectKind, check, check_by_name};
+use meshmend::{CheckOptions, CheckReport, DefectKind, View, check, check_by_name};
 
 use crate::Program;
 use crate::console::Console;
@@ -127,6 +127,8 @@ impl Check {
         }
         progress.step(&format!("check {}", name(path)));
         let options = asked.options.with_view(words::view_of(self.weld, document.format));
+        // What the file says of vertices goes before their places.
+        let as_told = if self.weld.is_none() { options.with_view(View::Indexed) } else { options };
         if let Some(by) = self.parts.by {
             return self.check_by(by, path, document, (&options, asked));
         }
@@ -136,7 +138,8 @@ impl Check {
                 reports.push((part, None));
                 continue;
             }
-            let report = check(&document.parts[part].mesh, &options)
+            let options = if document.parts[part].tells_vertices() { &as_told } else { &options };
+            let report = check(&document.parts[part].mesh, options)
                 .map_err(|error| Failure::of_pass(&name(path), &error))?;
             let fail_on = asked.failing_kinds(&document.parts[part]);
             let is_failing = Asked::is_failing(&report, &fail_on);

@@ -4,9 +4,7 @@ use meshmend::formats::{Document, Part, PartSource, PartStatus, Placing, Prepare
 use meshmend::mesh::{DraftError, Provenance};
 use meshmend::passes::{Emptying, NamedPart, PassError, joined_parts, named_parts};
 use meshmend::report::{CheckDocument, PartsDocument, ProvenanceDocument, RepairDocument};
-use meshmend::{
-    Format, KernelKind, Loss, Pipeline, Plan, PolygonMesh, Repaired, Rules, Session, View, check_in,
-};
+use meshmend::{KernelKind, Loss, Pipeline, Plan, PolygonMesh, Repaired, Rules, Session, View, check_in};
 
 use super::check::json_line;
 use super::repair::{Repair, Target};
@@ -167,7 +165,8 @@ impl Work<'_> {
                 parts.push((number, PartResult::Sealed(reason.to_owned())));
                 continue;
             }
-            match self.part(&part.mesh, document.format) {
+            let view = if part.tells_vertices() { View::Indexed } else { View::usual_for(document.format) };
+            match self.part(&part.mesh, view) {
                 Ok((report, mesh, record)) => {
                     records[number] = Some(record);
                     parts.push((number, PartResult::Repaired(Box::new(report))));
@@ -196,7 +195,7 @@ impl Work<'_> {
     fn part(
         &self,
         mesh: &PolygonMesh,
-        format: Format,
+        view: View,
     ) -> Result<(RepairDocument, PolygonMesh, Provenance), PassError> {
         let repair = self.repair;
         let pipeline = self.pipeline(mesh);
@@ -204,7 +203,7 @@ impl Work<'_> {
         let mut before = None;
         if !repair.quiet {
             session = session.with_figures();
-            let report = check_in(&mut session, View::usual_for(format), self.rules)?;
+            let report = check_in(&mut session, view, self.rules)?;
             before = Some(CheckDocument::new(report, repair.limit));
         }
         let mut repaired = pipeline.run_in(session.with_kernel(self.kernel))?;

@@ -70,8 +70,13 @@ pub enum PartSource {
         /// The layer.
         layer: String,
     },
-    /// A mesh of a glTF file, by its index.
-    GltfMesh(u32),
+    /// A mesh of a glTF file.
+    GltfMesh {
+        /// The index.
+        index: u32,
+        /// Whether the file says which of its vertices are one (`EXT_mesh_manifold`).
+        tells_vertices: bool,
+    },
     /// An object of a 3MF file, by the model part that it is in and its id there.
     ThreeMfObject {
         /// The name of the model part in the package.
@@ -122,13 +127,18 @@ impl Part {
             PartSource::Whole => "whole file".to_owned(),
             PartSource::Named { layer } if self.name.is_empty() => return format!("no {layer}"),
             PartSource::Named { layer } => layer.clone(),
-            PartSource::GltfMesh(index) => format!("mesh {index}"),
+            PartSource::GltfMesh { index, .. } => format!("mesh {index}"),
             PartSource::ThreeMfObject { id, .. } => format!("object {id}"),
         };
         match String::from_utf8_lossy(&self.name) {
             name if name.is_empty() => what,
             name => format!("{name} ({what})"),
         }
+    }
+
+    /// Whether the file itself says which of the part's vertices are one, so that their places say nothing.
+    pub fn tells_vertices(&self) -> bool {
+        matches!(self.source, PartSource::GltfMesh { tells_vertices: true, .. })
     }
 
     /// Why it can't be edited, if it can't.

@@ -21,6 +21,8 @@ pub struct WriteOptions {
     pub seams: Seams,
     /// The precision of attributes that come from another format.
     pub precision: AttributePrecision,
+    /// Whether meshes of a glTF that was read are to say which of their vertices are one.
+    pub manifold_extension: ManifoldExtension,
     /// The folder of the output, if it is known: files that the output names stand there.
     pub folder: Option<PathBuf>,
     /// The name of the output without its extension, if it is known: files that are made beside it begin so.
@@ -56,6 +58,18 @@ pub enum Seams {
     Corners,
     /// The mesh is not written.
     Fail,
+}
+
+/// What becomes of `EXT_mesh_manifold`, by which a glTF says which vertices are one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ManifoldExtension {
+    /// Meshes that have it keep it.
+    #[default]
+    AsRead,
+    /// Each mesh of the file that is a closed manifold of one set of vertices has it, so that vertices that were split
+    /// stay apart for those that know it.
+    Add,
 }
 
 /// The precision of attributes that come from another format, in a format whose programs expect single precision.
@@ -99,6 +113,11 @@ impl WriteOptions {
     /// These options, for a mesh whose materials look so.
     pub fn with_materials(self, materials: impl Into<Arc<[Material]>>) -> Self {
         WriteOptions { materials: Some(materials.into()), ..self }
+    }
+
+    /// These options with another choice for `EXT_mesh_manifold`.
+    pub fn with_manifold_extension(self, manifold_extension: ManifoldExtension) -> Self {
+        WriteOptions { manifold_extension, ..self }
     }
 
     /// These options, for a mesh that comes from a file with this shell.

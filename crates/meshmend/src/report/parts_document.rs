@@ -161,7 +161,7 @@ mod tests {
     fn part(index: u32, name: &str) -> Part {
         Part {
             name: name.as_bytes().to_vec(),
-            source: PartSource::GltfMesh(index),
+            source: PartSource::GltfMesh { index, tells_vertices: false },
             mesh: PolygonMesh::new(Vec::new(), FaceTable::empty(0)).unwrap(),
             status: PartStatus::Editable,
         }

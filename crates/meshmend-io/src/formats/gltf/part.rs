@@ -26,6 +26,8 @@ pub(super) struct ReadPart {
     pub(super) mesh: PolygonMesh,
     /// Triangles of strips that are no faces.
     pub(super) stitches: usize,
+    /// Whether the file says which vertices are one.
+    pub(super) tells_vertices: bool,
 }
 
 /// The rows and corners of a mesh, as stored.
@@ -73,6 +75,7 @@ pub(super) fn read_part(
 ) -> Result<ReadPart, Fault> {
     let Stored { positions, corners, ends, stitches } = Stored::of(asset, mesh, pools, bytes)?;
     let topology = topology(asset, mesh, pools, bytes, &positions, &corners)?;
+    let tells_vertices = topology.is_stated();
     let vertices = topology.vertex_count(positions.len());
     let (positions, corners, rows) = topology.applied(positions, corners);
     let pointer = || Pointer::item("meshes", mesh.object.pointer.index().unwrap_or_default());
@@ -85,7 +88,7 @@ pub(super) fn read_part(
     }
     let mesh = PolygonMesh::new(positions, faces).map_err(|error| failed(&error))?;
     let mesh = mesh.with_layers(layers).map_err(|error| failed(&error))?;
-    Ok(ReadPart { mesh, stitches })
+    Ok(ReadPart { mesh, stitches, tells_vertices })
 }
 
 /// Which rows the elements of the mesh have.

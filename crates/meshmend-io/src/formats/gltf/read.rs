@@ -107,12 +107,13 @@ struct Reading<'r, 'a> {
 impl Reading<'_, '_> {
     fn part(&mut self, index: usize) -> Result<Part, Fault> {
         let mesh = self.asset.mesh(index)?;
-        let (name, source) = (mesh.name.clone().into_bytes(), PartSource::GltfMesh(index as u32));
+        let name = mesh.name.clone().into_bytes();
+        let source = |tells_vertices| PartSource::GltfMesh { index: index as u32, tells_vertices };
         if let Some(reason) = mesh.seal {
             self.notes.add(NoteKind::SealedPart, &reason, || mesh.object.pointer.place());
             let empty = PolygonMesh::new(Vec::new(), FaceTable::empty(0));
             let empty = empty.map_err(|error| mesh.object.pointer.fault(error.to_string()))?;
-            return Ok(Part { name, source, mesh: empty, status: PartStatus::Sealed(reason) });
+            return Ok(Part { name, source: source(false), mesh: empty, status: PartStatus::Sealed(reason) });
         }
         let pools = Pools::of(self.asset, &mesh)?;
         self.check_sizes(&mesh, &pools)?;
@@ -126,6 +127,7 @@ impl Reading<'_, '_> {
         self.notes.add_many(NoteKind::SkippedElement, message, lines, || mesh.object.pointer.place());
         let message = "triangles that name a vertex twice, which lead from strip to strip, are not faces";
         self.notes.add_many(NoteKind::Stitches, message, read.stitches as u64, || mesh.object.pointer.place());
+        let source = source(read.tells_vertices);
         Ok(Part { name, source, mesh: read.mesh, status: PartStatus::Editable })
     }
 

@@ -15,6 +15,8 @@ use crate::formats::gltf::triangles::stored_indices;
 pub(super) enum Topology {
     /// All, each by itself.
     Rows,
+    /// The same, and the file says so.
+    StatedRows,
     /// These, each by itself: the others are used by points and lines alone.
     Listed(Vec<u32>),
     /// The file says which vertex each corner is at, with a row for each vertex.
@@ -38,7 +40,7 @@ pub(super) fn topology(
     }
     let shares = |at: usize| pools.of_primitive[at].is_some() && mesh.primitives[at].mode == Mode::NoFaces;
     if !(0..mesh.primitives.len()).any(shares) {
-        return Ok(Topology::Rows);
+        return Ok(if states_rows(asset, mesh, bytes, corners)? { Topology::StatedRows } else { Topology::Rows });
     }
     let mut is_of_lines = vec![false; pools.rows];
     for (at, primitive) in mesh.primitives.iter().enumerate().filter(|&(at, _)| shares(at)) {
@@ -87,10 +89,26 @@ fn stated(
     Ok(Some(Topology::Stated { corners: vertices, rows }))
 }
 
+/// Whether `EXT_mesh_manifold` states that each row is a vertex of its own.
+fn states_rows(
+    asset: &Asset<'_>,
+    mesh: &Mesh<'_>,
+    bytes: &Bytes<'_>,
+    corners: &[VertexId],
+) -> Result<bool, Fault> {
+    let Some(accessor) = mesh.manifold_indices else { return Ok(false) };
+    Ok(indices(&asset.accessor(accessor)?, bytes)?.into_iter().eq(corners.iter().map(|corner| corner.0)))
+}
+
 impl Topology {
+    /// Whether the file says which vertices are one.
+    pub(super) fn is_stated(&self) -> bool {
+        matches!(self, Topology::StatedRows | Topology::Stated { .. })
+    }
+
     pub(super) fn vertex_count(&self, rows: usize) -> usize {
         match self {
-            Topology::Rows => rows,
+            Topology::Rows | Topology::StatedRows => rows,
             Topology::Listed(rows) | Topology::Stated { rows, .. } => rows.len(),
         }
     }
@@ -103,7 +121,7 @@ impl Topology {
     ) -> (Vec<[f64; 3]>, Vec<VertexId>, Rows) {
         let of = |rows: &[u32]| rows.iter().map(|&row| positions[row as usize]).collect();
         match self {
-            Topology::Rows => (positions, corners, Rows::Same),
+            Topology::Rows | Topology::StatedRows => (positions, corners, Rows::Same),
             Topology::Listed(rows) => {
                 let mut vertex = vec![0; positions.len()];
                 rows.iter().enumerate().for_each(|(at, &row)| vertex[row as usize] = at as u32);

@@ -16,7 +16,7 @@ use crate::formats::gltf::splice::told::{dead_bytes, emptied, told_of};
 use crate::formats::gltf::splice::triangulated::triangulated;
 use crate::formats::gltf::splice::users::Users;
 use crate::shell::{Splice, Spliced};
-use crate::{Loss, PartStatus, WriteErrorKind};
+use crate::{Loss, ManifoldExtension, PartStatus, WriteErrorKind};
 
 /// The file as it was read, with the meshes that its parts have now.
 ///
@@ -31,12 +31,13 @@ pub(in crate::formats::gltf) fn splice(
 ) -> Result<Spliced, WriteErrorKind> {
     let mut losses = Vec::new();
     let asset = file.asset().map_err(again)?;
-    let changes = changes(file, &asset, document, &mut losses)?;
+    let wanted = splice.options.manifold_extension;
+    let changes = changes(file, &asset, (document, wanted), &mut losses)?;
     if changes.is_empty() && splice.format == file.format() {
         let bytes = file.bytes.clone();
         return Ok(Spliced { bytes, losses, companions: companions(file, splice.format) });
     }
-    let contents = contents(file, &asset, &changes, &mut losses).map_err(again)?;
+    let contents = contents(file, &asset, (&changes, wanted), &mut losses).map_err(again)?;
     let bytes = contents.written(file, &asset, splice.format, &mut losses)?;
     Ok(Spliced { bytes, losses, companions: companions(file, splice.format) })
 }
@@ -50,7 +51,7 @@ fn again(fault: Fault) -> WriteErrorKind {
 fn changes(
     file: &File,
     asset: &Asset<'_>,
-    document: &Document,
+    (document, wanted): (&Document, ManifoldExtension),
     losses: &mut Vec<Loss>,
 ) -> Result<Vec<PartChange>, WriteErrorKind> {
     let bytes = file.buffers();
@@ -60,10 +61,10 @@ fn changes(
             continue;
         }
         let now = triangulated(&part.mesh, losses)?;
-        let compared = compared(asset, index, &bytes, &now).map_err(again)?;
+        let compared = compared(asset, index, &bytes, &now, wanted).map_err(again)?;
         losses.extend(compared.losses);
         match compared.outcome {
-            Outcome::Unchanged => {}
+            Outcome::Unchanged(_) => {}
             Outcome::Changed(change) => changes.push(*change),
             Outcome::Emptied => losses.push(emptied(index, &part.name)),
         }
@@ -74,7 +75,7 @@ fn changes(
 fn contents(
     file: &File,
     asset: &Asset<'_>,
-    changes: &[PartChange],
+    (changes, wanted): (&[PartChange], ManifoldExtension),
     losses: &mut Vec<Loss>,
 ) -> Result<Contents, Fault> {
     if changes.is_empty() {
@@ -84,14 +85,16 @@ fn contents(
     let mut slots = Slots::new(asset.accessors.len());
     let mut manifolds: Vec<ManifoldEdit> = Vec::new();
     for change in changes {
-        losses.extend(told_of(asset, change)?);
         slots.add(change, &users);
         let mesh = asset.mesh(change.mesh)?;
         for primitive in &change.primitives {
             let old = mesh.primitives[primitive.primitive].indices;
             slots.add_indices(change.mesh, primitive, old, &users);
         }
-        manifolds.extend(manifold_edit(&mesh, change, &mut slots, &users)?);
+        let manifold = manifold_edit(&mesh, change, &mut slots, &users, wanted)?;
+        let says_vertices = manifold.as_ref().is_some_and(|edit| edit.stated.is_some());
+        losses.extend(told_of(asset, change, says_vertices)?);
+        manifolds.extend(manifold);
     }
     let layout = Layout::of(asset, file, &slots, &users)?;
     losses.extend(dead_bytes(layout.dead));

@@ -8,10 +8,11 @@ use crate::formats::gltf::buffers::Bytes;
 use crate::formats::gltf::fault::Fault;
 use crate::formats::gltf::primitives::{Mesh, Mode, Primitive};
 use crate::formats::gltf::splice::classes::{Classes, NewPool};
+use crate::formats::gltf::splice::manifold::is_closed_manifold;
 use crate::formats::gltf::splice::part_rows::PartRows;
 use crate::formats::gltf::splice::pool_bytes::{Rounded, RowsOfAccessor, pool_bytes};
 use crate::formats::gltf::triangles::stored_indices;
-use crate::Loss;
+use crate::{Loss, ManifoldExtension};
 
 /// What of a mesh is written anew.
 pub(super) struct PartChange {
@@ -64,8 +65,8 @@ pub(super) enum Change {
 
 /// What becomes of a mesh.
 pub(super) enum Outcome {
-    /// It stays as it is.
-    Unchanged,
+    /// It stays as it is; with the vertices of its corners, as in a part that changed.
+    Unchanged(Option<Vec<u32>>),
     /// It would have no primitive left, which no file may say: it stays as it is.
     Emptied,
     Changed(Box<PartChange>),
@@ -87,10 +88,19 @@ pub(super) fn compared(
     index: usize,
     bytes: &Bytes<'_>,
     now: &PolygonMesh,
+    wanted: ManifoldExtension,
 ) -> Result<Compared, Fault> {
     let mesh = asset.mesh(index)?;
     let part = PartRows::of(asset, &mesh, bytes, now)?;
-    let outcome = outcome(asset, index, &mesh, bytes, &part)?;
+    let mut outcome = outcome(asset, index, &mesh, bytes, &part)?;
+    if let Outcome::Unchanged(vertices) = &mut outcome {
+        let is_asked_for = wanted == ManifoldExtension::Add && mesh.manifold_indices.is_none();
+        if let Some(vertices) = vertices.take_if(|vertices| is_asked_for && is_closed_manifold(vertices)) {
+            let (pools, primitives, told) = (Vec::new(), Vec::new(), Told::default());
+            let change = PartChange { mesh: index, pools, primitives, vertices: Some(vertices), told };
+            outcome = Outcome::Changed(Box::new(change));
+        }
+    }
     Ok(Compared { outcome, losses: part.unknown_layers() })
 }
 
@@ -117,10 +127,10 @@ fn outcome(
         let rows = pool_bytes(part, pool, new, bytes, &mut told.rounded)?;
         pools.push(PoolChange { primitives: pool.primitives.clone(), rows });
     }
-    if pools.is_empty() && primitives.is_empty() && told.homeless == 0 {
-        return Ok(Outcome::Unchanged);
-    }
     let vertices = (part.pools.list.len() == 1).then(|| changes.vertices());
+    if pools.is_empty() && primitives.is_empty() && told.homeless == 0 {
+        return Ok(Outcome::Unchanged(vertices));
+    }
     Ok(Outcome::Changed(Box::new(PartChange { mesh: index, pools, primitives, vertices, told })))
 }
 

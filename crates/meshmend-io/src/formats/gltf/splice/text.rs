@@ -195,6 +195,9 @@ fn edit_mesh(
         edit_primitive(&primitive.object, kind.copied(), &own, edits)?;
     }
     match manifold {
+        Some(ManifoldEdit { is_new: true, stated: Some((indices, Some(positions))), .. }) => {
+            add_manifold(&mesh.object, *indices, *positions, edits)
+        }
         Some(ManifoldEdit { stated: Some((indices, positions)), .. }) => {
             edit_manifold(&mesh.object, *indices, *positions, edits)
         }
@@ -266,6 +269,25 @@ fn remove_extension(
     Ok(())
 }
 
+/// Gives a mesh the extension for manifolds.
+fn add_manifold(mesh: &Object<'_>, indices: usize, positions: usize, edits: &mut Edits) -> Result<(), Fault> {
+    let primitive = format!("{{\"attributes\":{{\"POSITION\":{positions}}},\"indices\":{indices}}}");
+    let manifold = format!("{{\"manifoldPrimitive\":{primitive}}}");
+    match mesh.object("extensions")? {
+        Some(extensions) => {
+            let mut edit = ListEdit::of(extensions.value);
+            edit.set(MANIFOLD, manifold);
+            edit.into_edits(edits);
+        }
+        None => {
+            let mut edit = ListEdit::of(mesh.value);
+            edit.set("extensions", format!("{{\"{MANIFOLD}\":{manifold}}}"));
+            edit.into_edits(edits);
+        }
+    }
+    Ok(())
+}
+
 fn edit_manifold(
     mesh: &Object<'_>,
     indices: usize,
@@ -289,7 +311,7 @@ fn edit_manifold(
     Ok(())
 }
 
-/// Takes extensions that nothing has any more out of the list of those that are used.
+/// Takes extensions that nothing has any more out of the list of those that are used, and puts one in that is new.
 fn edit_extensions_used(
     asset: &Asset<'_>,
     changes: &[PartChange],
@@ -316,20 +338,27 @@ fn edit_extensions_used(
         let is_taken_off = manifolds.iter().any(|edit| edit.mesh == index && edit.stated.is_none());
         stated += usize::from(!is_taken_off && has_extension(&mesh.object, MANIFOLD)?);
     }
-    for (name, left) in [(NGONS, ngons), (MANIFOLD, stated)] {
-        if left > 0 {
-            continue;
-        }
-        for list in ["extensionsUsed", "extensionsRequired"] {
-            let Some(array) = asset.root.get(list) else { continue };
-            let items = array.items().unwrap_or_default();
-            let Some(at) = items.iter().position(|item| item.as_text().as_deref() == Some(name)) else { continue };
-            let mut edit = ListEdit::of(array);
-            edit.remove_item(at);
-            match edit.is_emptied() {
-                true => root.remove(list),
-                false => edit.into_edits(edits),
+    let is_new = manifolds.iter().any(|edit| edit.is_new);
+    let gone = [(NGONS, ngons > 0), (MANIFOLD, stated > 0 || is_new)];
+    let gone: Vec<&str> = gone.iter().filter(|(_, is_left)| !is_left).map(|(name, _)| *name).collect();
+    for list in ["extensionsUsed", "extensionsRequired"] {
+        let adds = is_new && list == "extensionsUsed";
+        let Some(array) = asset.root.get(list) else {
+            if adds {
+                root.set(list, format!("[\"{MANIFOLD}\"]"));
             }
+            continue;
+        };
+        let items = array.items().unwrap_or_default();
+        let place = |name: &str| items.iter().position(|item| item.as_text().as_deref() == Some(name));
+        let mut edit = ListEdit::of(array);
+        gone.iter().filter_map(|name| place(name)).for_each(|at| edit.remove_item(at));
+        if adds && place(MANIFOLD).is_none() {
+            edit.push(format!("\"{MANIFOLD}\""));
+        }
+        match edit.is_emptied() {
+            true => root.remove(list),
+            false => edit.into_edits(edits),
         }
     }
     Ok(())

@@ -12,7 +12,11 @@ use crate::{Loss, LossKind};
 ///
 /// # Errors
 /// If the mesh is malformed.
-pub(super) fn told_of(asset: &Asset<'_>, change: &PartChange) -> Result<Vec<Loss>, Fault> {
+pub(super) fn told_of(
+    asset: &Asset<'_>,
+    change: &PartChange,
+    says_vertices: bool,
+) -> Result<Vec<Loss>, Fault> {
     let mesh = asset.mesh(change.mesh)?;
     let called = name_of(change.mesh, mesh.name.as_bytes());
     let mut losses = Vec::new();
@@ -33,7 +37,7 @@ pub(super) fn told_of(asset: &Asset<'_>, change: &PartChange) -> Result<Vec<Loss
         }
     }
     let told = &change.told;
-    losses.extend(Loss::if_any(LossKind::SharedVertices, told.parted, |count| {
+    losses.extend(Loss::if_any(LossKind::SharedVertices, if says_vertices { 0 } else { told.parted }, |count| {
         let vertices = one_or_many(count, "vertex that was split stands", "vertices that were split stand");
         format!("{vertices} at one place with others: a program that joins vertices by place makes them one again")
     }));
