@@ -13,7 +13,10 @@ fn twisted(entry: &Entry) -> bool {
     let figure =
         |view: &str, key: &str| entry.view(view).and_then(|figures| figures[key].as_u64()).unwrap_or(0);
     let views = ["indexed", "welded", "cleaned", "cleaned_split"];
-    let is_real = entry.name.starts_with("real/") && entry.is_read_here() && entry.is_well_formed();
+    // 21 faces of this scene of 28 meshes collapse or flip by rounding, and its layout says so.
+    let is_known = entry.name == "real/trimesh/boolean.glb";
+    let is_real =
+        entry.name.starts_with("real/") && entry.is_read_here() && entry.is_well_formed() && !is_known;
     let keys = ["genus_total", "nonorientable_genus_total"];
     is_real && views.iter().any(|view| keys.iter().any(|key| figure(view, key) > 0))
 }

@@ -11,7 +11,7 @@ fn example() -> Example {
     Example {
         files: ["facts", "mod"].map(|file| format!("{folder}/toy/{file}.rs")).to_vec(),
         registry: format!("{folder}/rows.rs"),
-        above: "            Off => off,".to_owned(),
+        above: "            ThreeMf => threemf,".to_owned(),
         rows: rows.map(|row| format!("            {row}")).to_vec(),
         word: "toy".to_owned(),
     }

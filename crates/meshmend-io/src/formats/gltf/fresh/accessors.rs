@@ -35,6 +35,13 @@ pub(super) struct PlacedObject<'a> {
     pub(super) indices: Vec<Option<usize>>,
 }
 
+impl PlacedObject<'_> {
+    /// Whether its vertices have an attribute of the file. Those that they have stand in order.
+    pub(super) fn has_attribute(&self, attribute: usize) -> bool {
+        self.attributes.binary_search_by_key(&attribute, |&(at, _)| at).is_ok()
+    }
+}
+
 /// A part of the buffer, which one accessor describes.
 pub(super) struct View {
     pub(super) content: Content,
