@@ -1,5 +1,7 @@
 //! The layers of several meshes that become one.
 
+use std::collections::BTreeMap;
+
 use meshmend_core::{Carry, Domain, Layer, NO_VALUE, PolygonMesh, Role, Values};
 
 use crate::document::Placement;
@@ -9,7 +11,13 @@ use crate::layers::is_numeric;
 #[derive(Default)]
 pub(super) struct MergedLayers {
     layers: Vec<Merged>,
+    /// Where the layer of a name, of elements, a meaning and a type is.
+    places: BTreeMap<Key, usize>,
 }
+
+/// What tells layers apart: the name; elements, those where it is at home, width; meaning; whether whole numbers stand for
+/// fractions; type.
+type Key = (String, (Domain, Domain, usize), Role, bool, Vec<u8>);
 
 /// Where the elements of a mesh go.
 pub(super) struct Elements<'a> {
@@ -50,17 +58,14 @@ impl MergedLayers {
 
     /// The layer into which a layer with values of this type goes.
     fn layer(&mut self, like: &Layer, values: &Values) -> &mut Merged {
-        let key = |layer: &Layer| {
-            let kind = (layer.domain(), layer.home(), layer.width(), layer.role(), layer.is_normalized());
-            (layer.name().to_owned(), kind)
-        };
-        let wanted = key(like);
-        let is_same = |merged: &Merged| key(&merged.model) == wanted && is_same_type(&merged.values, values);
-        let at = self.layers.iter().position(is_same).unwrap_or_else(|| {
+        let place = (like.domain(), like.home(), like.width());
+        let key = (like.name().to_owned(), place, like.role(), like.is_normalized(), type_of(values));
+        let next = self.layers.len();
+        let at = *self.places.entry(key).or_insert(next);
+        if at == next {
             let (model, values) = (like.clone(), emptied(values));
             self.layers.push(Merged { model, values, uses: Vec::new() });
-            self.layers.len() - 1
-        });
+        }
         &mut self.layers[at]
     }
 
@@ -122,11 +127,21 @@ fn moved_values(layer: &Layer, placement: &Placement) -> Values {
     }
 }
 
-fn is_same_type(one: &Values, other: &Values) -> bool {
-    match (one, other) {
-        (Values::Lists { items: one, .. }, Values::Lists { items: other, .. }) => is_same_type(one, other),
-        _ => std::mem::discriminant(one) == std::mem::discriminant(other),
-    }
+/// The types of values: lists are told by those of their items.
+fn type_of(values: &Values) -> Vec<u8> {
+    let tag = match values {
+        Values::I8(_) => 0,
+        Values::U8(_) => 1,
+        Values::I16(_) => 2,
+        Values::U16(_) => 3,
+        Values::I32(_) => 4,
+        Values::U32(_) => 5,
+        Values::F32(_) => 6,
+        Values::F64(_) => 7,
+        Values::Text(_) => 8,
+        Values::Lists { items, .. } => return [vec![9], type_of(items)].concat(),
+    };
+    vec![tag]
 }
 
 /// No values, of the type of others.

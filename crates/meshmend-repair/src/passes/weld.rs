@@ -27,7 +27,9 @@ use meshmend_geometry::proximity::{NoClasses, proximity_classes};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word};
+use crate::{
+    Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
+};
 
 /// Joins vertices that are in the same place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -76,22 +78,24 @@ pub(crate) const ROW: PassRow = PassRow {
                   apart again what would leave the mesh non-manifold, so that welding is stitching and can't make a mesh worse.",
     is_default: true,
     before: None,
-    options: &[PassOption {
-        name: "weld",
-        help: "Which vertices are joined: none, exact, single (equal in single precision), within a length, or within a \
+    options: &[
+        PassOption {
+            name: "weld",
+            help: "Which vertices are joined: none, exact, single (equal in single precision), within a length, or within a \
                percentage of the bounding box's diagonal",
-        sets: &["distance"],
-        values: OptionValues::Distance,
-    },
-    PassOption {
-        name: "weld-by",
-        help: "Whether vertices that morph targets or joints move apart are joined",
-        sets: &["by"],
-        values: OptionValues::Words(&[
-            Word::new("pose", "They are not: a closed mouth stays two lips"),
-            Word::new("position", "They are"),
-        ]),
-    }],
+            sets: &["distance"],
+            values: OptionValues::Distance,
+        },
+        PassOption {
+            name: "weld-by",
+            help: "Whether vertices that morph targets or joints move apart are joined",
+            sets: &["by"],
+            values: OptionValues::Words(&[
+                Word::new("pose", "They are not: a closed mouth stays two lips"),
+                Word::new("position", "They are"),
+            ]),
+        },
+    ],
     form: Form::of::<Weld>(),
 };
 

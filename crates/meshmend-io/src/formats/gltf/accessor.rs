@@ -233,9 +233,8 @@ pub(super) fn is_index(component: Component) -> bool {
 fn form_of(object: &Object<'_>) -> Result<Form, Fault> {
     let kind = object.text("type")?.ok_or_else(|| object.pointer.fault("has no `type`"))?;
     let known = KINDS.iter().find(|(name, ..)| *name == kind);
-    let &(_, rows, columns) = known.ok_or_else(|| {
-        object.fault_in("type", format!("`{}` is unknown", kind.escape_debug()))
-    })?;
+    let &(_, rows, columns) =
+        known.ok_or_else(|| object.fault_in("type", format!("`{}` is unknown", kind.escape_debug())))?;
     let component = component_of(object)?;
     let normalized = object.get("normalized").is_some_and(|value| value.raw() == "true");
     let normalized = normalized && !matches!(component, Component::F32 | Component::U32);

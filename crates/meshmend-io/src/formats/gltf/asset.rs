@@ -1,5 +1,7 @@
 //! The JSON of a file: its arrays, opened as far as meshes need them. All else stays text.
 
+use std::cell::OnceCell;
+
 use crate::Limits;
 use crate::formats::gltf::fault::{Fault, Pointer};
 use crate::formats::gltf::json::{Object, Value};
@@ -15,6 +17,8 @@ pub(super) struct Asset<'a> {
     pub(super) nodes: Vec<Value<'a>>,
     pub(super) materials: Vec<Value<'a>>,
     pub(super) extensions_used: Vec<String>,
+    /// How many bytes each buffer says that it has, once that was asked for: the text of a buffer may be long.
+    lengths: Vec<OnceCell<u64>>,
 }
 
 /// A piece of a buffer.
@@ -41,8 +45,10 @@ impl<'a> Asset<'a> {
     pub(super) fn of(json: Value<'a>, limits: &Limits) -> Result<Self, Fault> {
         let root = Object::of(json, Pointer::ROOT)?;
         check_version(&root)?;
+        let buffers = root.items("buffers")?;
         let asset = Asset {
-            buffers: root.items("buffers")?,
+            lengths: vec![OnceCell::new(); buffers.len()],
+            buffers,
             views: root.items("bufferViews")?,
             accessors: root.items("accessors")?,
             meshes: root.items("meshes")?,
@@ -82,7 +88,11 @@ impl<'a> Asset<'a> {
 
     /// How many bytes a buffer says that it has.
     pub(super) fn buffer_length(&self, index: usize) -> Result<u64, Fault> {
-        Object::of(self.buffers[index], Pointer::item("buffers", index))?.count("byteLength")
+        if let Some(&length) = self.lengths[index].get() {
+            return Ok(length);
+        }
+        let length = Object::of(self.buffers[index], Pointer::item("buffers", index))?.count("byteLength")?;
+        Ok(*self.lengths[index].get_or_init(|| length))
     }
 
     /// The names of the materials, numbered where they have none.
@@ -103,7 +113,8 @@ fn check_version(root: &Object<'_>) -> Result<(), Fault> {
     match asset.text("minVersion")? {
         Some(least) if least != "2.0" => {
             let shown = least.escape_debug();
-            Err(asset.fault_in("minVersion", format!("at least version {shown} of glTF is needed; 2.0 is read")))
+            Err(asset
+                .fault_in("minVersion", format!("at least version {shown} of glTF is needed; 2.0 is read")))
         }
         _ => Ok(()),
     }

@@ -71,7 +71,10 @@ mod tests {
             assert_eq!(decode(text.as_bytes()).as_deref(), Ok(&bytes[..length]));
             assert_eq!(decode(text.trim_end_matches('=').as_bytes()).as_deref(), Ok(&bytes[..length]));
         }
-        assert_eq!((encode(b"M"), encode(b"Ma"), encode(b"Man")), ("TQ==".into(), "TWE=".into(), "TWFu".into()));
+        assert_eq!(
+            (encode(b"M"), encode(b"Ma"), encode(b"Man")),
+            ("TQ==".into(), "TWE=".into(), "TWFu".into())
+        );
     }
 
     #[test]

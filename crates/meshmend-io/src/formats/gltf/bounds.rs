@@ -1,11 +1,11 @@
 //! The bounds that accessors state of their numbers.
 
+use crate::NoteKind;
 use crate::formats::gltf::accessor::{Accessor, Component};
 use crate::formats::gltf::asset::Asset;
 use crate::formats::gltf::fault::{Fault, Pointer};
 use crate::formats::gltf::json::{Object, Value};
 use crate::input::notes::Notes;
-use crate::NoteKind;
 
 /// Remarks on positions whose stated bounds are not theirs. Nothing else depends on bounds.
 ///

@@ -3,12 +3,12 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::Limits;
 use crate::formats::gltf::accessor::Place;
 use crate::formats::gltf::asset::Asset;
 use crate::formats::gltf::fault::{Fault, Pointer};
 use crate::formats::gltf::json::Object;
 use crate::formats::gltf::uri::{self, Named};
-use crate::Limits;
 use crate::input::folder::{Folder, NotOpened};
 
 /// The bytes of one buffer.
@@ -98,7 +98,9 @@ fn reason(name: &str, why: &NotOpened) -> String {
         NotOpened::Missing => format!("`{name}` is missing"),
         NotOpened::Outside => format!("`{name}` is outside the folder of the file and was not opened"),
         NotOpened::TooManyFiles => format!("`{name}` is one file too many (max_companion_files)"),
-        NotOpened::TooManyBytes => format!("`{name}` has more bytes than the limit allows (max_companion_bytes)"),
+        NotOpened::TooManyBytes => {
+            format!("`{name}` has more bytes than the limit allows (max_companion_bytes)")
+        }
         NotOpened::Io(error) => format!("`{name}`: {error}"),
     }
 }
@@ -114,7 +116,8 @@ impl<'a> Bytes<'a> {
     pub(super) fn of(file: &'a [u8], held: &'a [Held]) -> Self {
         let buffers: Vec<Option<&[u8]>> = held.iter().map(|held| held.bytes(file)).collect();
         let beside = |held: &&Held| !matches!(held, Held::Chunk(_));
-        let beside: usize = held.iter().filter(beside).filter_map(|held| held.bytes(file)).map(<[u8]>::len).sum();
+        let beside: usize =
+            held.iter().filter(beside).filter_map(|held| held.bytes(file)).map(<[u8]>::len).sum();
         Bytes { buffers, total: file.len() + beside }
     }
 

@@ -39,7 +39,8 @@ pub(super) fn chunks(bytes: &[u8], notes: &mut Notes) -> Result<Chunks, Fault> {
     }
     let length = length.unwrap_or_default() as usize;
     if length > bytes.len() {
-        let reason = format!("the file is cut off: it says that it has {length} bytes, and has {}", bytes.len());
+        let reason =
+            format!("the file is cut off: it says that it has {length} bytes, and has {}", bytes.len());
         return Err(Fault::new(at(8), reason));
     }
     if length < bytes.len() {

@@ -95,6 +95,9 @@ mod tests {
         assert_eq!(accessor.to_string(), "/accessors/3");
         assert_eq!(accessor.member("a/b~").to_string(), "/accessors/3/a~1b~0");
         let mesh = Pointer::item("meshes", 0);
-        assert_eq!(mesh.item_of("primitives", 2).member("indices").to_string(), "/meshes/0/primitives/2/indices");
+        assert_eq!(
+            mesh.item_of("primitives", 2).member("indices").to_string(),
+            "/meshes/0/primitives/2/indices"
+        );
     }
 }

@@ -14,11 +14,18 @@ use crate::{Material, Picture};
 /// *Cost*: that of reading the JSON, and of copying the pictures within the file.
 pub(super) fn materials(file: &File) -> Result<Vec<Material>, Fault> {
     let asset = file.asset()?;
-    let pictures = Pictures { file, asset: &asset, textures: asset.root.items("textures")?, images: asset.root.items("images")? };
+    let pictures = Pictures {
+        file,
+        asset: &asset,
+        textures: asset.root.items("textures")?,
+        images: asset.root.items("images")?,
+    };
     let material = |(index, &value): (usize, &Value<'_>)| {
         let name = asset.material_name(index);
         let material = Object::of(value, Pointer::item("materials", index));
-        material.and_then(|material| described(&material, &pictures, name.clone())).unwrap_or_else(|_| Material::named(name))
+        material
+            .and_then(|material| described(&material, &pictures, name.clone()))
+            .unwrap_or_else(|_| Material::named(name))
     };
     Ok(asset.materials.iter().enumerate().map(material).collect())
 }
@@ -62,7 +69,9 @@ const KNOWN: [&str; 9] = [
 fn described(object: &Object<'_>, pictures: &Pictures<'_>, name: Vec<u8>) -> Result<Material, Fault> {
     let mut material = Material::named(name);
     let others = &mut material.others;
-    others.extend(object.members.iter().map(|member| member.name.clone()).filter(|name| !KNOWN.contains(&&**name)));
+    others.extend(
+        object.members.iter().map(|member| member.name.clone()).filter(|name| !KNOWN.contains(&&**name)),
+    );
     if let Some(extensions) = object.object("extensions")? {
         others.extend(extensions.members.iter().map(|member| member.name.clone()));
     }
@@ -114,10 +123,16 @@ const SOURCES: [&str; 2] = ["EXT_texture_webp", "KHR_texture_basisu"];
 
 impl Pictures<'_> {
     /// The picture of a member. How it is laid on the surface goes to the other words.
-    fn of(&self, object: &Object<'_>, member: &str, others: &mut Vec<String>) -> Result<Option<Picture>, Fault> {
+    fn of(
+        &self,
+        object: &Object<'_>,
+        member: &str,
+        others: &mut Vec<String>,
+    ) -> Result<Option<Picture>, Fault> {
         let Some(info) = object.object(member)? else { return Ok(None) };
         let ways = ["texCoord", "scale", "strength", "extensions"];
-        let is_used = |way: &&str| info.get(way).is_some_and(|value| !matches!(value.raw(), "0" | "1" | "1.0"));
+        let is_used =
+            |way: &&str| info.get(way).is_some_and(|value| !matches!(value.raw(), "0" | "1" | "1.0"));
         others.extend(ways.iter().filter(|way| is_used(way)).map(|way| format!("{member} {way}")));
         let Some(texture) = info.index("index", self.textures.len(), "texture")? else { return Ok(None) };
         let texture = Object::of(self.textures[texture], Pointer::item("textures", texture))?;
@@ -145,7 +160,9 @@ impl Pictures<'_> {
                 Err(_) => None,
             });
         }
-        let Some(view) = image.index("bufferView", self.asset.views.len(), "buffer view")? else { return Ok(None) };
+        let Some(view) = image.index("bufferView", self.asset.views.len(), "buffer view")? else {
+            return Ok(None);
+        };
         let view = self.asset.view(view)?;
         let (start, end) = (view.offset as usize, (view.offset + view.length) as usize);
         let bytes = self.file.buffers().buffer(view.buffer).and_then(|bytes| bytes.get(start..end));

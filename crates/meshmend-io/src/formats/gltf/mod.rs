@@ -37,5 +37,4 @@ pub(crate) static DRIVER: Driver = Driver {
 };
 
 /// The driver of GLB.
-pub(crate) static GLB_DRIVER: Driver =
-    Driver { read: read::read_glb, encode: fresh::encode_glb, ..DRIVER };
+pub(crate) static GLB_DRIVER: Driver = Driver { read: read::read_glb, encode: fresh::encode_glb, ..DRIVER };

@@ -151,7 +151,11 @@ pub(super) fn placed(nodes: &[Node], roots: &[usize]) -> Vec<Placed> {
         let node = &nodes[index];
         let matrix = product(&above, &node.matrix);
         if let Some(mesh) = node.mesh {
-            placed.push(Placed { node: index, mesh, matrix: if node.is_skinned { IDENTITY } else { matrix } });
+            placed.push(Placed {
+                node: index,
+                mesh,
+                matrix: if node.is_skinned { IDENTITY } else { matrix },
+            });
         }
         open.extend(node.children.iter().rev().map(|&child| (child, matrix)));
     }

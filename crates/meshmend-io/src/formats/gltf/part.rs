@@ -45,7 +45,12 @@ impl Stored {
     ///
     /// # Errors
     /// If an accessor is malformed, or an index names a row that does not exist.
-    pub(super) fn of(asset: &Asset<'_>, mesh: &Mesh<'_>, pools: &Pools, bytes: &Bytes<'_>) -> Result<Self, Fault> {
+    pub(super) fn of(
+        asset: &Asset<'_>,
+        mesh: &Mesh<'_>,
+        pools: &Pools,
+        bytes: &Bytes<'_>,
+    ) -> Result<Self, Fault> {
         let mut stored = Stored { positions: Vec::new(), corners: Vec::new(), ends: Vec::new(), stitches: 0 };
         for pool in &pools.list {
             if let Some(accessor) = pool.positions() {
@@ -172,7 +177,8 @@ fn face_layers(asset: &Asset<'_>, mesh: &Mesh<'_>, ends: &[usize]) -> Vec<Layer>
         runs.flat_map(|(at, &count)| std::iter::repeat_n(value(at), count)).collect()
     };
     let numbers = Values::U32((0..counts.len() as u32).collect());
-    let primitive = Layer::indexed(PRIMITIVE, Domain::Face, 1, Carry::Clear, numbers, by_face(&|at| at as u32));
+    let primitive =
+        Layer::indexed(PRIMITIVE, Domain::Face, 1, Carry::Clear, numbers, by_face(&|at| at as u32));
     let places = counts.iter().flat_map(|&count| 0..count as u32).collect();
     let face = Layer::direct(FACE, Domain::Face, 1, Carry::Clear, Values::U32(places));
     let mut layers = vec![primitive.with_role(Role::Identity), face.with_role(Role::Identity)];

@@ -62,7 +62,8 @@ impl Pools {
                 pools.list.push(pool);
             }
         }
-        pools.of_primitive = mesh.primitives.iter().map(|primitive| known.get(&key_of(primitive)).copied()).collect();
+        pools.of_primitive =
+            mesh.primitives.iter().map(|primitive| known.get(&key_of(primitive)).copied()).collect();
         for (at, pool) in pools.of_primitive.iter().enumerate() {
             if let Some(pool) = *pool {
                 pools.list[pool].primitives.push(at);
@@ -76,7 +77,8 @@ impl Pools {
         let mut known: BTreeMap<(Semantic, Form), usize> = BTreeMap::new();
         let mut columns: Vec<Column> = Vec::new();
         for (at, pool) in self.list.iter().enumerate() {
-            for (semantic, accessor) in pool.attributes.iter().filter(|(semantic, _)| !semantic.is_position()) {
+            for (semantic, accessor) in pool.attributes.iter().filter(|(semantic, _)| !semantic.is_position())
+            {
                 let (semantic, form) = (semantic.clone(), accessor.form);
                 let column = *known.entry((semantic.clone(), form)).or_insert(columns.len());
                 if column == columns.len() {
@@ -101,13 +103,15 @@ fn pool_of(
     key: &[(Semantic, usize)],
     base: usize,
 ) -> Result<Pool, Fault> {
-    let accessor = |(semantic, accessor): &(Semantic, usize)| Ok((semantic.clone(), asset.accessor(*accessor)?));
+    let accessor =
+        |(semantic, accessor): &(Semantic, usize)| Ok((semantic.clone(), asset.accessor(*accessor)?));
     let attributes: Vec<(Semantic, Accessor)> = key.iter().map(accessor).collect::<Result<_, Fault>>()?;
     let mut pool = Pool { attributes, rows: 0, base, primitives: Vec::new() };
     pool.rows = pool.positions().map_or(0, |positions| positions.count);
     let differs = |(_, accessor): &&(Semantic, Accessor)| accessor.count != pool.rows;
     if let Some((semantic, accessor)) = pool.attributes.iter().find(differs) {
-        let reason = format!("{} has {} rows where POSITION has {}", semantic.name, accessor.count, pool.rows);
+        let reason =
+            format!("{} has {} rows where POSITION has {}", semantic.name, accessor.count, pool.rows);
         return Err(primitive.object.pointer.fault(reason));
     }
     Ok(pool)

@@ -75,7 +75,8 @@ impl<'a> Asset<'a> {
         let primitive = |(at, value): (usize, &Value<'a>)| {
             self.primitive(Object::of(*value, object.pointer.item_of("primitives", at))?)
         };
-        let primitives: Vec<Primitive<'a>> = items.iter().enumerate().map(primitive).collect::<Result<_, _>>()?;
+        let primitives: Vec<Primitive<'a>> =
+            items.iter().enumerate().map(primitive).collect::<Result<_, _>>()?;
         let manifold_indices = self.manifold_indices(&object)?;
         let mut mesh = Mesh { object, name, primitives, manifold_indices, seal: None };
         mesh.seal = self.reason_to_seal(index, &mesh)?;
@@ -101,7 +102,9 @@ impl<'a> Asset<'a> {
             let listed = Object::of(listed, object.pointer.item_of("targets", target))?;
             for member in &listed.members {
                 let accessor = listed.index(&member.name, self.accessors.len(), "accessor")?;
-                attributes.extend(accessor.map(|accessor| (Semantic::of(&member.name).of_target(target), accessor)));
+                attributes.extend(
+                    accessor.map(|accessor| (Semantic::of(&member.name).of_target(target), accessor)),
+                );
             }
         }
         Ok(Primitive {
@@ -173,7 +176,9 @@ fn because_of(extension: &str) -> String {
     } else if extension.starts_with("KHR_gaussian_splatting") {
         format!("holds splats ({extension}), which have no faces")
     } else {
-        format!("has the extension {extension}, which may number vertices or triangles in a way not known here")
+        format!(
+            "has the extension {extension}, which may number vertices or triangles in a way not known here"
+        )
     }
 }
 

@@ -126,7 +126,8 @@ impl Reading<'_, '_> {
         let message = "primitives of points or lines stay in the file as they are: they have no faces";
         self.notes.add_many(NoteKind::SkippedElement, message, lines, || mesh.object.pointer.place());
         let message = "triangles that name a vertex twice, which lead from strip to strip, are not faces";
-        self.notes.add_many(NoteKind::Stitches, message, read.stitches as u64, || mesh.object.pointer.place());
+        self.notes
+            .add_many(NoteKind::Stitches, message, read.stitches as u64, || mesh.object.pointer.place());
         let source = source(read.tells_vertices);
         Ok(Part { name, source, mesh: read.mesh, status: PartStatus::Editable })
     }
@@ -151,7 +152,8 @@ impl Reading<'_, '_> {
         let numbers = self.sizes.numbers;
         let most = (self.bytes.total as u64).saturating_mul(NUMBERS_A_BYTE).saturating_add(FEW_NUMBERS);
         if numbers > most {
-            let reason = format!("the meshes up to here hold {numbers} numbers, too many for a file of this size");
+            let reason =
+                format!("the meshes up to here hold {numbers} numbers, too many for a file of this size");
             return Err(mesh.object.pointer.fault(reason));
         }
         Ok(())

@@ -43,7 +43,11 @@ numbers!(i8, u8, i16, u16, u32, f32);
 ///
 /// # Errors
 /// If its bytes are not there, or its sparse rows are not in order.
-pub(super) fn append<T: Number>(accessor: &Accessor, bytes: &Bytes<'_>, into: &mut Vec<T>) -> Result<(), Fault> {
+pub(super) fn append<T: Number>(
+    accessor: &Accessor,
+    bytes: &Bytes<'_>,
+    into: &mut Vec<T>,
+) -> Result<(), Fault> {
     let (form, count) = (accessor.form, accessor.count);
     let first = into.len();
     match &accessor.place {
@@ -80,7 +84,10 @@ fn replace<T: Number>(
     let (form, width) = (accessor.form, accessor.form.width());
     for (row, new) in sparse_rows(accessor, sparse, bytes)? {
         let numbers = &mut numbers[row * width..][..width];
-        numbers.iter_mut().zip(form.places()).for_each(|(number, at)| *number = T::of(new.get(at..).unwrap_or_default()));
+        numbers
+            .iter_mut()
+            .zip(form.places())
+            .for_each(|(number, at)| *number = T::of(new.get(at..).unwrap_or_default()));
     }
     Ok(())
 }
@@ -184,7 +191,8 @@ pub(super) fn append_positions(
 ) -> Result<(), Fault> {
     let form = accessor.form;
     if form.width() != 3 || form.component == Component::U32 {
-        let reason = format!("holds positions as {} of component type {}", form.kind(), form.component.code());
+        let reason =
+            format!("holds positions as {} of component type {}", form.kind(), form.component.code());
         return Err(pointer(accessor).fault(reason));
     }
     let unit = if form.normalized { unit_of(form.component) } else { 1.0 };

@@ -44,7 +44,9 @@ impl GltfShape {
         let asset = self.file.asset()?;
         let mut losses = Vec::new();
         let mut lost = |count: usize, one: &str, many: &str| {
-            let told = |count| format!("{} left out", one_or_many(count, &format!("{one} is"), &format!("{many} are")));
+            let told = |count| {
+                format!("{} left out", one_or_many(count, &format!("{one} is"), &format!("{many} are")))
+            };
             losses.extend(Loss::if_any(LossKind::ScenePart, count, told));
         };
         for (array, one, many) in [
@@ -59,7 +61,12 @@ impl GltfShape {
         for index in 0..asset.meshes.len() {
             let mesh = asset.mesh(index)?;
             let of_target = |primitive: &crate::formats::gltf::primitives::Primitive<'_>| {
-                primitive.attributes.iter().filter_map(|(semantic, _)| semantic.target).max().map_or(0, |last| last + 1)
+                primitive
+                    .attributes
+                    .iter()
+                    .filter_map(|(semantic, _)| semantic.target)
+                    .max()
+                    .map_or(0, |last| last + 1)
             };
             targets += mesh.primitives.iter().map(of_target).max().unwrap_or(0);
             lines += mesh.primitives.iter().filter(|primitive| primitive.mode == Mode::NoFaces).count();
@@ -81,12 +88,19 @@ impl GltfShape {
             let nodes = one_or_many(count, "node that moves its mesh", "nodes that move their meshes");
             let turned = match mirrored {
                 0 => String::new(),
-                _ => format!("; {} its faces turned", one_or_many(mirrored, "mirrors it and has", "mirror it, each with")),
+                _ => format!(
+                    "; {} its faces turned",
+                    one_or_many(mirrored, "mirrors it and has", "mirror it, each with")
+                ),
             };
             format!("{nodes}: positions are those in the scene{turned}")
         });
         let hidden = Loss::if_any(LossKind::ScenePart, hidden, |count| {
-            one_or_many(count, "mesh that the scene does not show is left out", "meshes that the scene does not show are left out")
+            one_or_many(
+                count,
+                "mesh that the scene does not show is left out",
+                "meshes that the scene does not show are left out",
+            )
         });
         Ok(transforms.into_iter().chain(hidden).collect())
     }

@@ -40,7 +40,11 @@ pub(super) fn topology(
     }
     let shares = |at: usize| pools.of_primitive[at].is_some() && mesh.primitives[at].mode == Mode::NoFaces;
     if !(0..mesh.primitives.len()).any(shares) {
-        return Ok(if states_rows(asset, mesh, bytes, corners)? { Topology::StatedRows } else { Topology::Rows });
+        return Ok(if states_rows(asset, mesh, bytes, corners)? {
+            Topology::StatedRows
+        } else {
+            Topology::Rows
+        });
     }
     let mut is_of_lines = vec![false; pools.rows];
     for (at, primitive) in mesh.primitives.iter().enumerate().filter(|&(at, _)| shares(at)) {
@@ -51,7 +55,9 @@ pub(super) fn topology(
     }
     corners.iter().for_each(|corner| is_of_lines[corner.0 as usize] = false);
     match is_of_lines.contains(&true) {
-        true => Ok(Topology::Listed((0..pools.rows as u32).filter(|&row| !is_of_lines[row as usize]).collect())),
+        true => {
+            Ok(Topology::Listed((0..pools.rows as u32).filter(|&row| !is_of_lines[row as usize]).collect()))
+        }
         false => Ok(Topology::Rows),
     }
 }
@@ -68,7 +74,9 @@ fn stated(
     let Some(accessor) = mesh.manifold_indices else { return Ok(None) };
     let accessor = asset.accessor(accessor)?;
     let numbers = indices(&accessor, bytes)?;
-    if numbers.len() != corners.len() || numbers.iter().zip(corners).all(|(&number, corner)| number == corner.0) {
+    if numbers.len() != corners.len()
+        || numbers.iter().zip(corners).all(|(&number, corner)| number == corner.0)
+    {
         return Ok(None);
     }
     let mut known = numbers.clone();

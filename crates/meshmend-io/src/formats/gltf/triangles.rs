@@ -77,7 +77,8 @@ pub(super) fn append_corners(
         Mode::Triangles => corners.extend(indices.iter().map(|index| VertexId(base + index))),
         Mode::Fan => indices.windows(2).skip(1).for_each(|pair| push([pair[0], pair[1], indices[0]])),
         Mode::Strip => {
-            let turned = |(at, v): (usize, &[u32])| if at % 2 == 0 { [v[0], v[1], v[2]] } else { [v[0], v[2], v[1]] };
+            let turned =
+                |(at, v): (usize, &[u32])| if at % 2 == 0 { [v[0], v[1], v[2]] } else { [v[0], v[2], v[1]] };
             let triangles = indices.windows(3).enumerate().map(turned);
             triangles.filter(|[a, b, c]| a != b && b != c && a != c).for_each(push);
             return Ok(indices.len() - 2 - (corners.len() - before) / 3);

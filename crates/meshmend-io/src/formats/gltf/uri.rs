@@ -18,8 +18,14 @@ pub(super) enum Named<'a> {
 pub(super) fn named(uri: &str) -> Result<Named<'_>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (form, data) = data.split_once(',').ok_or("is a data URI without data")?;
-        let is_base64 = form.len() >= 7 && form.is_char_boundary(form.len() - 7) && form[form.len() - 7..].eq_ignore_ascii_case(";base64");
-        return if is_base64 { Ok(Named::Data(data)) } else { Err("is a data URI that is not in base64".to_owned()) };
+        let is_base64 = form.len() >= 7
+            && form.is_char_boundary(form.len() - 7)
+            && form[form.len() - 7..].eq_ignore_ascii_case(";base64");
+        return if is_base64 {
+            Ok(Named::Data(data))
+        } else {
+            Err("is a data URI that is not in base64".to_owned())
+        };
     }
     if let Some((scheme, _)) = uri.split_once(':').filter(|(scheme, _)| is_scheme(scheme)) {
         return Err(format!("names a place on the net or in the system (`{scheme}:`), which is not opened"));
@@ -57,7 +63,12 @@ fn percent_decoded(text: &str) -> Result<Vec<u8>, String> {
         let byte = digits.and_then(|digits| u8::from_str_radix(digits, 16).ok());
         match byte {
             Some(byte) if byte != 0 => out.push(byte),
-            _ => return Err(format!("`%{}` stands for no character", part.chars().take(2).collect::<String>())),
+            _ => {
+                return Err(format!(
+                    "`%{}` stands for no character",
+                    part.chars().take(2).collect::<String>()
+                ));
+            }
         }
         out.extend_from_slice(&part.as_bytes()[2..]);
     }
@@ -75,7 +86,19 @@ mod tests {
         assert_eq!(named("a%20b%C3%A9.bin"), Ok(Named::File("a bé.bin".into())));
         assert_eq!(named("parts/a.bin"), Ok(Named::File(b"parts/a.bin".to_vec())));
         assert_eq!(named("../a.bin"), Ok(Named::File(b"../a.bin".to_vec())));
-        let wrong = ["", "data:x", "data:text/plain,hello", "data:é,x", "http://a/b", "file:///a", "C:/a.bin", "a%2", "a%zz", "a%00", "%é"];
+        let wrong = [
+            "",
+            "data:x",
+            "data:text/plain,hello",
+            "data:é,x",
+            "http://a/b",
+            "file:///a",
+            "C:/a.bin",
+            "a%2",
+            "a%zz",
+            "a%00",
+            "%é",
+        ];
         for uri in wrong {
             assert!(named(uri).is_err(), "{uri}");
         }

@@ -72,8 +72,8 @@ impl Search {
 
     /// Looks for an image. Its name can be read in two ways; the one that leads to a file is right.
     fn image(&mut self, [whole, last]: &[&[u8]; 2]) {
-        let is_last =
-            !matches!(self.folder.find(whole), Lead::There(_)) && matches!(self.folder.find(last), Lead::There(_));
+        let is_last = !matches!(self.folder.find(whole), Lead::There(_))
+            && matches!(self.folder.find(last), Lead::There(_));
         self.companion(NamedContent::Picture, if is_last { last } else { whole });
     }
 

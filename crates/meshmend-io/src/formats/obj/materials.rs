@@ -12,7 +12,9 @@ pub(super) fn materials(text: &[u8], is_there: &dyn Fn(&[u8]) -> bool) -> Vec<Ma
         let rest = trimmed(&line[keyword.len()..]);
         if keyword.eq_ignore_ascii_case(b"newmtl") {
             materials.push(Material::named(rest));
-        } else if let Some(material) = materials.last_mut().filter(|_| !keyword.is_empty() && keyword[0] != b'#') {
+        } else if let Some(material) =
+            materials.last_mut().filter(|_| !keyword.is_empty() && keyword[0] != b'#')
+        {
             Statement { keyword, line, rest }.add_to(material, is_there);
         }
     }
@@ -88,7 +90,10 @@ mod tests {
         let text = b"Kd 9 9 9\r\nnewmtl red paint\nKa 1 1 1\n\tKd 1 0.5 0 \nd 0.25\nmap_Kd -s 2 2 my red.png\n\
             newmtl glow\n# illum\nKe 0.5\nTr 0.75\nPr .5\nPm 1\nmap_Ke none.png\nnorm n.png\nNs 10\nd -halo 0.5\nKd spectral a.rfl";
         let [red, glow] = &materials(text, &|name| name != b"none.png")[..] else { panic!("two materials") };
-        assert_eq!((&red.name[..], red.base_color, red.opacity), (&b"red paint"[..], Some([1.0, 0.5, 0.0]), Some(0.25)));
+        assert_eq!(
+            (&red.name[..], red.base_color, red.opacity),
+            (&b"red paint"[..], Some([1.0, 0.5, 0.0]), Some(0.25))
+        );
         assert_eq!(red.base_map, Some(Picture::File(b"my red.png".to_vec())));
         assert_eq!(red.others, ["Ka", "map_Kd"]);
         assert_eq!((glow.emissive, glow.opacity), (Some([0.5; 3]), Some(0.25)));

@@ -60,7 +60,8 @@ impl Library {
         self.statement("newmtl", &spelled(kind, &material.name));
         self.color("Kd", material.base_color);
         self.color("Ke", material.emissive);
-        for (word, number) in [("d", material.opacity), ("Pm", material.metallic), ("Pr", material.roughness)] {
+        for (word, number) in [("d", material.opacity), ("Pm", material.metallic), ("Pr", material.roughness)]
+        {
             if let Some(number) = number {
                 self.statement(word, number.to_string().as_bytes());
             }

@@ -294,8 +294,10 @@ fn names(mesh: &PolygonMesh, layer: &Layer) -> Vec<String> {
 fn spread_loss(layer: &Layer) -> Option<Loss> {
     let (domain, name, width) = (layer.domain().name(), layer.name(), layer.width());
     (width > 1 && usual(name, width).is_none()).then(|| {
-        let message =
-            format!("{domain} attribute `{name}` is spread over {width} properties: `{name}_0` to `{name}_{}`", width - 1);
+        let message = format!(
+            "{domain} attribute `{name}` is spread over {width} properties: `{name}_0` to `{name}_{}`",
+            width - 1
+        );
         Loss::new(LossKind::Converted, layer.element_count(), message)
     })
 }

@@ -49,7 +49,8 @@ impl Assembly {
                     Content::Mesh(_) | Content::Other(_) => (parts.next(), &[][..]),
                 };
                 let wrong = |reason| Fault::of_object(&model.entry, object.id, reason);
-                let children = uses.iter().map(|used| names.child(&model.entry, used)).collect::<Result<_, _>>();
+                let children =
+                    uses.iter().map(|used| names.child(&model.entry, used)).collect::<Result<_, _>>();
                 nodes.push(Node { name: object.name.clone(), part, children: children.map_err(wrong)? });
             }
         }
@@ -91,9 +92,12 @@ impl Assembly {
         let mut instances: Vec<Option<u64>> = vec![None; self.nodes.len()];
         for start in 0..self.nodes.len() {
             self.count(start, &mut instances).map_err(|node| {
-                let objects = models.iter().flat_map(|model| model.objects.iter().map(move |object| (model, object)));
+                let objects =
+                    models.iter().flat_map(|model| model.objects.iter().map(move |object| (model, object)));
                 match objects.skip(node).map(|(model, object)| (&model.entry, object.id)).next() {
-                    Some((entry, id)) => Fault::of_object(entry, id, format!("object {id} is a component of itself")),
+                    Some((entry, id)) => {
+                        Fault::of_object(entry, id, format!("object {id} is a component of itself"))
+                    }
                     None => Fault::of_entry(root, "an object is a component of itself"),
                 }
             })?;
@@ -136,7 +140,8 @@ struct Names {
 impl Names {
     fn of(models: &[Model]) -> Self {
         let objects = models.iter().flat_map(|model| model.objects.iter().map(move |object| (model, object)));
-        let named = objects.enumerate().map(|(node, (model, object))| ((folded(&model.entry), object.id), node));
+        let named =
+            objects.enumerate().map(|(node, (model, object))| ((folded(&model.entry), object.id), node));
         Names { nodes: named.collect() }
     }
 

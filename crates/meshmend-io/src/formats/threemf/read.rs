@@ -13,9 +13,9 @@ use crate::formats::threemf::extras::Extras;
 use crate::formats::threemf::kept::{ModelText, Package};
 use crate::formats::threemf::model::{self, Content, Model, Object, Use};
 use crate::formats::threemf::package::{Budget, Directory, Fault};
+use crate::formats::threemf::parts;
 use crate::formats::threemf::relations::{self, entry_name};
 use crate::formats::threemf::xml::Text;
-use crate::formats::threemf::parts;
 use crate::input::notes::Notes;
 use crate::input::source::{Parsed, Source};
 use crate::text::shown;
@@ -63,7 +63,9 @@ fn notes_of(parts: &[crate::Part]) -> Notes {
     let mut notes = Notes::default();
     for part in parts {
         let place = || match &part.source {
-            crate::PartSource::ThreeMfObject { entry, id, .. } => Place::Entry(printable(&format!("{entry}#{id}"))),
+            crate::PartSource::ThreeMfObject { entry, id, .. } => {
+                Place::Entry(printable(&format!("{entry}#{id}")))
+            }
             _ => Place::File,
         };
         if let Some(reason) = part.seal() {
@@ -101,7 +103,10 @@ impl Reader<'_, '_> {
                 let entry = &self.models[at].entry;
                 let Some(name) = entry_name(&path).filter(|name| self.directory.entry(name).is_some()) else {
                     let path = shown(path.as_bytes());
-                    return Err(Fault::of_entry(entry, format!("object {object} is in `{path}`, which does not exist")));
+                    return Err(Fault::of_entry(
+                        entry,
+                        format!("object {object} is in `{path}`, which does not exist"),
+                    ));
                 };
                 let number = *known.entry(name.to_ascii_lowercase()).or_insert(self.models.len());
                 if number == self.models.len() {
@@ -119,7 +124,10 @@ impl Reader<'_, '_> {
     /// The name of the entry that is the root model.
     fn root(&mut self) -> Result<String, Fault> {
         let Some((_, entry)) = self.directory.entry(relations::OF_PACKAGE) else {
-            return Err(Fault::of_entry(relations::OF_PACKAGE, "no model part: the package has no such entry"));
+            return Err(Fault::of_entry(
+                relations::OF_PACKAGE,
+                "no model part: the package has no such entry",
+            ));
         };
         let text = Text::of(self.budget.content(self.bytes, entry)?, &entry.name)?;
         let targets = relations::models(&text, &entry.name)?;
@@ -128,7 +136,10 @@ impl Reader<'_, '_> {
             [] => return Err(Fault::of_entry(&entry.name, "no model part: no relation names one")),
             several => {
                 let count = several.len();
-                return Err(Fault::of_entry(&entry.name, format!("the relations name {count} model parts, not one")));
+                return Err(Fault::of_entry(
+                    &entry.name,
+                    format!("the relations name {count} model parts, not one"),
+                ));
             }
         };
         match entry_name(target).filter(|name| self.directory.entry(name).is_some()) {
@@ -188,7 +199,13 @@ impl Model {
     fn note_use(&mut self, id: u32) {
         if self.is_encrypted {
             let content = Content::Other("is in an encrypted model".to_owned());
-            self.objects.push(Object { id, name: String::new(), kind: ObjectKind::Other, content, has_slices: false });
+            self.objects.push(Object {
+                id,
+                name: String::new(),
+                kind: ObjectKind::Other,
+                content,
+                has_slices: false,
+            });
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What materials look like: which of it the format can hold.
 
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::Read;
 use std::sync::Arc;
@@ -17,17 +18,18 @@ use crate::{Loss, LossKind, Material, Picture, Prepared, text};
 pub(super) fn take(prepared: &mut Prepared) {
     let described = prepared.materials();
     let names = FaceNames::of(&prepared.mesh).used_materials(prepared.mesh.counts().faces);
-    let is_used = |name: &[u8]| names.contains(&name);
+    let used: BTreeSet<&[u8]> = names.iter().copied().collect();
+    let is_used = |name: &[u8]| used.contains(name);
     let mut taken: Vec<Material> = Vec::new();
+    let mut known: BTreeSet<&[u8]> = BTreeSet::new();
     for material in described.iter().filter(|material| is_used(&material.name)) {
         // The first description of a name counts.
-        if !taken.iter().any(|other| other.name == material.name) {
+        if known.insert(&material.name) {
             taken.push(material.clone());
         }
     }
     let unused = described.iter().filter(|material| !is_used(&material.name)).count();
-    let is_described = |name: &&&[u8]| taken.iter().any(|material| material.name == **name);
-    let unknown = names.iter().filter(|name| !is_described(name)).count();
+    let unknown = names.iter().filter(|name| !known.contains(**name)).count();
     let mut losses: Vec<Loss> = [
         Loss::if_any(LossKind::Material, unused, |n| {
             format!("{} that no face uses", counted(n, "described material"))

@@ -17,8 +17,7 @@ const LIBRARY: &str = "mtllib";
 pub(in crate::formats::gltf) fn losses(prepared: &Prepared) -> Vec<Loss> {
     let mesh = &prepared.mesh;
     let file = File::of(prepared);
-    let is_written =
-        |at: usize| file.objects.iter().any(|placed| placed.has_attribute(at));
+    let is_written = |at: usize| file.objects.iter().any(|placed| placed.has_attribute(at));
     let attributes = file.attributes.iter().enumerate();
     let written: Vec<&Attribute<'_>> =
         attributes.filter(|&(at, _)| is_written(at)).map(|(_, attribute)| attribute).collect();
@@ -44,8 +43,7 @@ pub(in crate::formats::gltf) fn losses(prepared: &Prepared) -> Vec<Loss> {
 impl File<'_> {
     /// How many vertices get a value that they did not have, as others of their object have one.
     fn substituted(&self, attribute: usize) -> usize {
-        let has_attribute =
-            |placed: &&PlacedObject<'_>| placed.has_attribute(attribute);
+        let has_attribute = |placed: &&PlacedObject<'_>| placed.has_attribute(attribute);
         let objects = self.objects.iter().filter(has_attribute);
         let vertices = objects.flat_map(|placed| placed.object.vertices.clone());
         let layer = self.attributes[attribute].layer;

@@ -1,5 +1,7 @@
 //! Materials, textures and images as members of the JSON.
 
+use std::collections::BTreeMap;
+
 use super::json::{Image, Material as JsonMaterial, MetallicRoughness, Texture, TextureInfo};
 use super::looks::{Kind, pictures};
 use crate::input::folder::below;
@@ -20,7 +22,9 @@ pub(super) fn members<'a>(
 ) -> Members {
     let described = prepared.materials();
     let pictures = pictures(&described);
-    let materials = names.map(|name| match described.iter().find(|material| material.name == name) {
+    let by_name: BTreeMap<&[u8], &Material> =
+        described.iter().rev().map(|material| (&material.name[..], material)).collect();
+    let materials = names.map(|name| match by_name.get(name) {
         Some(material) => described_by(material, &pictures),
         None => JsonMaterial { name: super::losses::utf8(name), ..JsonMaterial::default() },
     });

@@ -152,7 +152,9 @@ mod tests {
 
     #[test]
     fn items_come_and_go_in_every_combination() {
-        for (count, removed, added) in (0..4_usize).flat_map(|n| (0..1_u32 << n).flat_map(move |r| [0, 1, 2].map(|a| (n, r, a)))) {
+        for (count, removed, added) in
+            (0..4_usize).flat_map(|n| (0..1_u32 << n).flat_map(move |r| [0, 1, 2].map(|a| (n, r, a))))
+        {
             let items: Vec<String> = (0..count).map(|item| format!(" {item}")).collect();
             let text = format!("[{} ]", items.join(","));
             let goes = |item: &usize| removed >> item & 1 == 1;
@@ -162,7 +164,8 @@ mod tests {
                 assert_eq!(e.is_emptied(), added == 0 && (0..count).all(|item| goes(&item)));
             });
             let value = parse(new.as_bytes(), &Limits::default()).unwrap_or_else(|_| panic!("{new}"));
-            let found: Vec<u64> = value.items().unwrap().iter().map(|item| item.as_count().unwrap()).collect();
+            let found: Vec<u64> =
+                value.items().unwrap().iter().map(|item| item.as_count().unwrap()).collect();
             let kept = (0..count).filter(|item| !goes(item)).map(|item| item as u64);
             let expected: Vec<u64> = kept.chain((0..added).map(|item| 10 + item)).collect();
             assert_eq!(found, expected, "{text} -> {new}");

@@ -8,6 +8,8 @@ pub(in crate::formats::gltf) struct Object<'a> {
     pub(in crate::formats::gltf) pointer: Pointer,
     pub(in crate::formats::gltf) value: Value<'a>,
     pub(in crate::formats::gltf) members: Vec<Child<'a>>,
+    /// The places of the members, by name.
+    by_name: Vec<u32>,
 }
 
 impl<'a> Object<'a> {
@@ -20,17 +22,20 @@ impl<'a> Object<'a> {
             return Err(pointer.fault("is not an object"));
         }
         let members = value.children();
-        let mut names: Vec<&str> = members.iter().map(|member| member.name.as_str()).collect();
-        names.sort_unstable();
-        match names.windows(2).find(|pair| pair[0] == pair[1]) {
-            Some(pair) => Err(pointer.fault(format!("has two members `{}`", pair[0]))),
-            None => Ok(Object { pointer, value, members }),
+        let name = |at: u32| members[at as usize].name.as_str();
+        let mut by_name: Vec<u32> = (0..members.len() as u32).collect();
+        by_name.sort_unstable_by(|&one, &other| name(one).cmp(name(other)));
+        match by_name.windows(2).find(|pair| name(pair[0]) == name(pair[1])) {
+            Some(pair) => Err(pointer.fault(format!("has two members `{}`", name(pair[0])))),
+            None => Ok(Object { pointer, value, members, by_name }),
         }
     }
 
     /// The value of a member.
     pub(in crate::formats::gltf) fn get(&self, name: &str) -> Option<Value<'a>> {
-        self.members.iter().find(|member| member.name == name).map(|member| member.value)
+        let member = |at: u32| &self.members[at as usize];
+        let place = self.by_name.binary_search_by(|&at| member(at).name.as_str().cmp(name));
+        place.ok().map(|place| member(self.by_name[place]).value)
     }
 
     /// What is wrong with a member.
@@ -93,12 +98,7 @@ impl<'a> Object<'a> {
 }
 
 /// A value as an index below a count.
-fn index_of(
-    value: Value<'_>,
-    pointer: &Pointer,
-    count: usize,
-    what: &str,
-) -> Result<usize, Fault> {
+fn index_of(value: Value<'_>, pointer: &Pointer, count: usize, what: &str) -> Result<usize, Fault> {
     let index = value.as_count().ok_or_else(|| pointer.fault("is not a whole number"))?;
     let found = usize::try_from(index).ok().filter(|&index| index < count);
     found.ok_or_else(|| pointer.fault(no_such(what, index, count)))

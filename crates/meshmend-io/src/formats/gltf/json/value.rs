@@ -42,7 +42,8 @@ pub(in crate::formats::gltf) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> R
         return Err(Fault { place: Place::Byte(at as u64), kind });
     }
     serde_json::from_str::<IgnoredAny>(text).map_err(|error| {
-        let start = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum::<usize>();
+        let start =
+            text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum::<usize>();
         let at = start + error.column().saturating_sub(1);
         let told = error.to_string();
         let reason = told.rsplit_once(" at line ").map_or(told.as_str(), |(reason, _)| reason);
@@ -158,9 +159,10 @@ mod tests {
 
     #[test]
     fn whole_numbers_may_be_spelled_as_others() {
-        let counts: Vec<Option<u64>> = ["3", "3.0", "3e2", "18446744073709551615", "-1", "0.5", "1e300", "\"3\""]
-            .map(|text| value(text).as_count())
-            .to_vec();
+        let counts: Vec<Option<u64>> =
+            ["3", "3.0", "3e2", "18446744073709551615", "-1", "0.5", "1e300", "\"3\""]
+                .map(|text| value(text).as_count())
+                .to_vec();
         assert_eq!(counts, [Some(3), Some(3), Some(300), Some(u64::MAX), None, None, None, None]);
         assert_eq!(value("true").as_number(), None);
         assert_eq!(value(r#""a\nb""#).as_text().unwrap(), "a\nb");
@@ -179,6 +181,9 @@ mod tests {
         assert_eq!(place(b"[1, 2]", usual.with_max_json_bytes(5)), Place::File);
         assert!(parse(b"", &usual).is_err() && parse(b"{} {}", &usual).is_err());
         // A million brackets overflow no stack.
-        assert_eq!(place("[".repeat(1_000_000).as_bytes(), usual.with_max_json_depth(u64::MAX)), Place::Byte(999_999));
+        assert_eq!(
+            place("[".repeat(1_000_000).as_bytes(), usual.with_max_json_depth(u64::MAX)),
+            Place::Byte(999_999)
+        );
     }
 }

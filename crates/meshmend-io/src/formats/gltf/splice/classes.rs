@@ -63,12 +63,8 @@ impl Classes {
     /// rows that are used by points and lines stay.
     pub(super) fn of(part: &PartRows<'_>, is_kept: &[bool]) -> Self {
         let primitives = primitives_of(part);
-        let mut finder = Finder {
-            part,
-            taken: vec![None; part.pools.rows],
-            further: BTreeMap::new(),
-            listed: Vec::new(),
-        };
+        let mut finder =
+            Finder { part, taken: vec![None; part.pools.rows], further: BTreeMap::new(), listed: Vec::new() };
         let found = finder.found(&primitives);
         let Finder { taken, listed, .. } = finder;
         let mut pools: Vec<NewPool> = Vec::new();
@@ -117,7 +113,9 @@ impl Finder<'_, '_> {
         let mut others: Vec<(usize, CornerId, Option<u32>)> = Vec::new();
         for corner in self.part.mesh.faces().corners() {
             let face = corner.index() / 3;
-            let Some(pool) = primitives[face].and_then(|at| self.part.pools.of_primitive[at]) else { continue };
+            let Some(pool) = primitives[face].and_then(|at| self.part.pools.of_primitive[at]) else {
+                continue;
+            };
             let row = self.part.row(corner, pool);
             match row.filter(|&row| self.part.is_as_stored(corner, row)) {
                 Some(row) => found[corner.index()] = Some(self.as_stored(pool, corner, row)),
@@ -145,7 +143,8 @@ impl Finder<'_, '_> {
         let new = NewRow { old: row, corner: Some(corner), is_as_stored: false };
         if let Some(row) = row {
             let first = *self.taken[row as usize].get_or_insert(new);
-            let is_same = |first: CornerId| self.part.vertex(first) == vertex && self.part.uses(first) == uses;
+            let is_same =
+                |first: CornerId| self.part.vertex(first) == vertex && self.part.uses(first) == uses;
             if !first.is_as_stored && first.corner.is_some_and(is_same) {
                 return Found::OfFile(row);
             }

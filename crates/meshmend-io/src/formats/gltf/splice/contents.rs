@@ -61,9 +61,13 @@ impl Contents {
             }));
             return Ok(json.into_bytes());
         }
-        let others: Vec<(u32, &[u8])> =
-            others.iter().map(|(kind, range)| (*kind, file.bytes.get(range.clone()).unwrap_or_default())).collect();
-        let too_large = || io::Error::new(io::ErrorKind::FileTooLarge, "a GLB has at most 4 GiB; a glTF has no such limit");
+        let others: Vec<(u32, &[u8])> = others
+            .iter()
+            .map(|(kind, range)| (*kind, file.bytes.get(range.clone()).unwrap_or_default()))
+            .collect();
+        let too_large = || {
+            io::Error::new(io::ErrorKind::FileTooLarge, "a GLB has at most 4 GiB; a glTF has no such limit")
+        };
         glb(&json, chunk.as_deref(), &others).ok_or_else(|| too_large().into())
     }
 
@@ -88,7 +92,9 @@ impl Contents {
                     edit.remove("uri");
                     chunk = bytes();
                 }
-                (Held::Data(_), _) if is_changed => edit.set("uri", quoted(&data_uri(&bytes().unwrap_or_default()))),
+                (Held::Data(_), _) if is_changed => {
+                    edit.set("uri", quoted(&data_uri(&bytes().unwrap_or_default())))
+                }
                 (Held::File(..), Format::Glb) if is_converted => {
                     edit.set("uri", quoted(&data_uri(&bytes().unwrap_or_default())));
                 }
@@ -98,8 +104,14 @@ impl Contents {
         }
         if let Some((_, bytes)) = self.changed.take() {
             let is_chunk = format == Format::Glb && file.held.is_empty();
-            let uri = if is_chunk { String::new() } else { format!(",\"uri\":{}", quoted(&data_uri(&bytes))) };
-            add_to_root(asset, "buffers", format!("{{\"byteLength\":{}{uri}}}", bytes.len()), &mut self.edits);
+            let uri =
+                if is_chunk { String::new() } else { format!(",\"uri\":{}", quoted(&data_uri(&bytes))) };
+            add_to_root(
+                asset,
+                "buffers",
+                format!("{{\"byteLength\":{}{uri}}}", bytes.len()),
+                &mut self.edits,
+            );
             chunk = if is_chunk { Some(bytes) } else { chunk };
         }
         if format == Format::Glb { chunk } else { None }

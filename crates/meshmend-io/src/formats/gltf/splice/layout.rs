@@ -73,7 +73,8 @@ impl Layout {
         let own = |held: &Held| matches!(held, Held::Chunk(_) | Held::Data(_));
         // A file beside is never written again, so new bytes go into a buffer of their own if the first is one.
         let first = held.iter().find(|held| !matches!(held, Held::Absent));
-        let buffer = first.filter(|held| own(held)).and_then(|_| held.iter().position(own)).unwrap_or(held.len());
+        let buffer =
+            first.filter(|held| own(held)).and_then(|_| held.iter().position(own)).unwrap_or(held.len());
         let mut layout = Layout {
             buffer,
             removed: Vec::new(),
@@ -121,7 +122,13 @@ impl Layout {
     }
 
     /// Puts the rows of a view's accessors into its slot.
-    fn put(&mut self, view: usize, blocks: &[Block], accessors: &[NewAccessor], places: &mut [Option<Moved>]) {
+    fn put(
+        &mut self,
+        view: usize,
+        blocks: &[Block],
+        accessors: &[NewAccessor],
+        places: &mut [Option<Moved>],
+    ) {
         let start = self.align();
         for block in blocks {
             let first = self.align();
@@ -136,7 +143,8 @@ impl Layout {
                 places[at] = Some(Moved { view, offset: first - start + within });
             }
         }
-        let holds_indices = blocks.iter().flat_map(|b| &b.members).any(|&(at, _)| accessors[at].holds_indices);
+        let holds_indices =
+            blocks.iter().flat_map(|b| &b.members).any(|&(at, _)| accessors[at].holds_indices);
         let length = self.added.len() - start;
         self.views.push(NewView {
             index: view,
@@ -186,7 +194,8 @@ fn freed_views(asset: &Asset<'_>, slots: &Slots, users: &Users) -> Result<Vec<bo
     let mut is_changed = vec![false; asset.accessors.len()];
     let kept = slots.accessors.iter().filter(|accessor| accessor.keeps_slot);
     kept.for_each(|accessor| is_changed[accessor.index] = true);
-    let mut freed: Vec<bool> = users.is_named_elsewhere.iter().map(|named| users.are_all_known && !named).collect();
+    let mut freed: Vec<bool> =
+        users.is_named_elsewhere.iter().map(|named| users.are_all_known && !named).collect();
     for (index, &accessor) in asset.accessors.iter().enumerate().filter(|&(index, _)| !is_changed[index]) {
         let accessor = Object::of(accessor, Pointer::item("accessors", index))?;
         if let Some(view) = accessor.index("bufferView", asset.views.len(), "buffer view")? {

@@ -1,11 +1,11 @@
 //! Which corners are at one vertex, where the file says so.
 
+use crate::ManifoldExtension;
 use crate::formats::gltf::accessor::Component;
 use crate::formats::gltf::fault::Fault;
 use crate::formats::gltf::primitives::{MANIFOLD, Mesh};
 use crate::formats::gltf::splice::part_change::PartChange;
 use crate::formats::gltf::splice::slots::Slots;
-use crate::ManifoldExtension;
 use crate::formats::gltf::splice::users::{User, Users};
 
 /// What becomes of the extension of a mesh.
@@ -30,7 +30,8 @@ pub(super) fn manifold_edit(
     wanted: ManifoldExtension,
 ) -> Result<Option<ManifoldEdit>, Fault> {
     let extensions = mesh.object.object("extensions")?;
-    let Some(manifold) = extensions.map(|extensions| extensions.object(MANIFOLD)).transpose()?.flatten() else {
+    let Some(manifold) = extensions.map(|extensions| extensions.object(MANIFOLD)).transpose()?.flatten()
+    else {
         return Ok(if wanted == ManifoldExtension::Add { added(mesh, change, slots, users) } else { None });
     };
     let gone = Some(ManifoldEdit { mesh: change.mesh, is_new: false, stated: None });
@@ -41,7 +42,8 @@ pub(super) fn manifold_edit(
     let attributes = primitive.object("attributes")?;
     let positions = attributes.and_then(|attributes| attributes.get("POSITION")?.as_count());
     let own = mesh.primitives.iter().flat_map(|primitive| &primitive.attributes);
-    let own = own.filter(|(semantic, _)| semantic.is_position()).all(|&(_, own)| Some(own as u64) == positions);
+    let own =
+        own.filter(|(semantic, _)| semantic.is_position()).all(|&(_, own)| Some(own as u64) == positions);
     if !own {
         return Ok(gone);
     }
@@ -60,13 +62,7 @@ fn added(mesh: &Mesh<'_>, change: &PartChange, slots: &mut Slots, users: &Users)
     Some(ManifoldEdit { mesh: change.mesh, is_new: true, stated: Some((indices, Some(positions))) })
 }
 
-fn add_indices(
-    vertices: &[u32],
-    old: Option<usize>,
-    mesh: usize,
-    slots: &mut Slots,
-    users: &Users,
-) -> usize {
+fn add_indices(vertices: &[u32], old: Option<usize>, mesh: usize, slots: &mut Slots, users: &Users) -> usize {
     let highest = vertices.iter().max().copied().unwrap_or_default();
     let component = if highest < u32::from(u16::MAX) { Component::U16 } else { Component::U32 };
     slots.add_numbers(vertices, component, old, User::Manifold(mesh), users)
@@ -74,7 +70,9 @@ fn add_indices(
 
 /// Whether each side of a triangle is that of one other triangle, which runs through it the other way.
 pub(super) fn is_closed_manifold(corners: &[u32]) -> bool {
-    let sides = |triangle: &[u32]| [[triangle[0], triangle[1]], [triangle[1], triangle[2]], [triangle[2], triangle[0]]];
+    let sides = |triangle: &[u32]| {
+        [[triangle[0], triangle[1]], [triangle[1], triangle[2]], [triangle[2], triangle[0]]]
+    };
     let mut there: Vec<[u32; 2]> = corners.chunks_exact(3).flat_map(sides).collect();
     let mut back: Vec<[u32; 2]> = there.iter().map(|&[from, to]| [to, from]).collect();
     there.sort_unstable();

@@ -147,7 +147,10 @@ fn kept_rows(
     let mut is_kept = vec![has_corner.contains(&false); part.pools.rows];
     if mesh.manifold_indices.is_some() {
         is_kept.fill(true);
-        part.stored.corners.iter().for_each(|corner| is_kept[corner.0 as usize] = has_corner.contains(&false));
+        part.stored
+            .corners
+            .iter()
+            .for_each(|corner| is_kept[corner.0 as usize] = has_corner.contains(&false));
     }
     for (primitive, pool) in mesh.primitives.iter().zip(&part.pools.of_primitive) {
         if let (Mode::NoFaces, Some(pool)) = (primitive.mode, *pool) {
@@ -199,7 +202,10 @@ impl Changes<'_, '_, '_> {
         let stored = &self.part.stored.corners[start..self.part.stored.ends[at]];
         let mapped = |row: u32| new_pool.row_now[row as usize];
         let is_same = stored.len() == now.len()
-            && stored.iter().zip(&now).all(|(row, now)| mapped(row.0 - stored_pool.base as u32) == Some(*now));
+            && stored
+                .iter()
+                .zip(&now)
+                .all(|(row, now)| mapped(row.0 - stored_pool.base as u32) == Some(*now));
         let component = self.component(primitive, new_pool)?;
         if is_same {
             let old = stored_indices(self.asset, primitive, self.bytes, stored_pool.rows)?;

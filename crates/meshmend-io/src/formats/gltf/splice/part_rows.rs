@@ -60,7 +60,8 @@ impl<'p> PartRows<'p> {
             let now = now.layers().iter().find(is_same);
             attributes.push(Attribute { semantic: column.semantic, form: column.form, rows, now });
         }
-        let named = |name: &str, domains: &[Domain]| domains.iter().find_map(|&domain| now.layer(name, domain));
+        let named =
+            |name: &str, domains: &[Domain]| domains.iter().find_map(|&domain| now.layer(name, domain));
         Ok(PartRows {
             mesh: now,
             pools,

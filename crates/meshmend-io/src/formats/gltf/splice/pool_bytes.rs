@@ -89,9 +89,8 @@ fn push(
     rows: &mut RowBytes,
     rounded: &mut Rounded,
 ) {
-    let keeps = |old: &u32| {
-        row.is_as_stored || row.corner.is_none_or(|corner| part.keeps(attribute, corner, *old))
-    };
+    let keeps =
+        |old: &u32| row.is_as_stored || row.corner.is_none_or(|corner| part.keeps(attribute, corner, *old));
     let stored = row.old.filter(keeps).and_then(|old| attribute.rows.value_of(old as usize));
     if let Some(stored) = stored {
         return rows.push_value(attribute.rows.values(), stored);

@@ -63,7 +63,9 @@ impl Slots {
     pub(super) fn add(&mut self, change: &PartChange, users: &Users) {
         for pool in &change.pools {
             let is_own = |user: User| match user {
-                User::Primitive(mesh, primitive) => mesh == change.mesh && pool.primitives.contains(&primitive),
+                User::Primitive(mesh, primitive) => {
+                    mesh == change.mesh && pool.primitives.contains(&primitive)
+                }
                 User::Manifold(mesh) => mesh == change.mesh,
                 User::Other => false,
             };
@@ -101,7 +103,13 @@ impl Slots {
     }
 
     /// Gives new indices of a primitive to the accessor that has the old ones, or to a new one.
-    pub(super) fn add_indices(&mut self, mesh: usize, change: &PrimitiveChange, old: Option<usize>, users: &Users) {
+    pub(super) fn add_indices(
+        &mut self,
+        mesh: usize,
+        change: &PrimitiveChange,
+        old: Option<usize>,
+        users: &Users,
+    ) {
         let Change::Indices { indices, component, .. } = &change.change else { return };
         let primitive = change.primitive;
         let index = self.add_numbers(indices, *component, old, User::Primitive(mesh, primitive), users);
@@ -119,7 +127,8 @@ impl Slots {
         by: User,
         users: &Users,
     ) -> usize {
-        let is_own = |old: &usize| users.are_among(*old, |user| user == by) && users.of_accessor[*old].len() == 1;
+        let is_own =
+            |old: &usize| users.are_among(*old, |user| user == by) && users.of_accessor[*old].len() == 1;
         let own = old.filter(is_own);
         self.give(NewAccessor {
             like: own,

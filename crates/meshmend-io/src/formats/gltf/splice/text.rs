@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::Limits;
 use crate::formats::gltf::asset::Asset;
 use crate::formats::gltf::fault::{Fault, Pointer};
 use crate::formats::gltf::json::{Edits, ListEdit, Object, Value, parse};
@@ -10,7 +11,6 @@ use crate::formats::gltf::splice::layout::{Layout, Moved, NewView};
 use crate::formats::gltf::splice::manifold::ManifoldEdit;
 use crate::formats::gltf::splice::part_change::{Change, PartChange};
 use crate::formats::gltf::splice::slots::{Member, NewAccessor, Renamed, Slots};
-use crate::Limits;
 
 /// An extension on primitives that says which triangles are of one polygon, by their order.
 const NGONS: &str = "FB_ngon_encoding";
@@ -222,7 +222,9 @@ fn edit_primitive(
         let accessor = renamed.accessor.to_string();
         match &renamed.member {
             Member::Indices => edit.set("indices", accessor),
-            Member::Attribute(name) => attributes.iter_mut().for_each(|edit| edit.set(name, accessor.clone())),
+            Member::Attribute(name) => {
+                attributes.iter_mut().for_each(|edit| edit.set(name, accessor.clone()))
+            }
             Member::OfTarget(target, name) => {
                 targets.get_mut(target).into_iter().for_each(|edit| edit.set(name, accessor.clone()));
             }
@@ -333,7 +335,8 @@ fn edit_extensions_used(
                     primitive.primitive == at && lost
                 })
             };
-            ngons += usize::from(change.filter(is_gone).is_none() && has_extension(&primitive.object, NGONS)?);
+            ngons +=
+                usize::from(change.filter(is_gone).is_none() && has_extension(&primitive.object, NGONS)?);
         }
         let is_taken_off = manifolds.iter().any(|edit| edit.mesh == index && edit.stated.is_none());
         stated += usize::from(!is_taken_off && has_extension(&mesh.object, MANIFOLD)?);

@@ -46,10 +46,17 @@ pub(super) fn told_of(
         format!("{} rounded, by {farthest:e} at most", counted_positions(count))
     }));
     losses.extend(Loss::if_any(LossKind::AbsentValue, told.rounded.absent, |count| {
-        one_or_many(count, "value that a vertex does not have is written as zeros or as a unit", "values that vertices do not have are written as zeros or as units")
+        one_or_many(
+            count,
+            "value that a vertex does not have is written as zeros or as a unit",
+            "values that vertices do not have are written as zeros or as units",
+        )
     }));
     losses.extend(Loss::if_any(LossKind::ShortFaces, told.homeless, |count| {
-        format!("{}: {called} has no primitive for faces", one_or_many(count, "face is left out", "faces are left out"))
+        format!(
+            "{}: {called} has no primitive for faces",
+            one_or_many(count, "face is left out", "faces are left out")
+        )
     }));
     Ok(losses)
 }

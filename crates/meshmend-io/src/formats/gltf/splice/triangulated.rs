@@ -9,7 +9,10 @@ use crate::{Encoding, Format, Loss, LossKind, Prepared, WriteErrorKind, WriteOpt
 ///
 /// # Errors
 /// If there are more triangles than a table can hold.
-pub(super) fn triangulated(mesh: &PolygonMesh, losses: &mut Vec<Loss>) -> Result<PolygonMesh, WriteErrorKind> {
+pub(super) fn triangulated(
+    mesh: &PolygonMesh,
+    losses: &mut Vec<Loss>,
+) -> Result<PolygonMesh, WriteErrorKind> {
     if mesh.faces().is_all_triangles() {
         return Ok(mesh.clone());
     }

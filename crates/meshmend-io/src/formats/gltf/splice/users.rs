@@ -98,7 +98,10 @@ impl Users {
         if let Some(primitive) = manifold.object("manifoldPrimitive")? {
             self.see_member(&primitive, "indices", User::Manifold(index));
             if let Some(attributes) = primitive.object("attributes")? {
-                attributes.members.iter().for_each(|m| self.see_member(&attributes, &m.name, User::Manifold(index)));
+                attributes
+                    .members
+                    .iter()
+                    .for_each(|m| self.see_member(&attributes, &m.name, User::Manifold(index)));
             }
         }
         Ok(())

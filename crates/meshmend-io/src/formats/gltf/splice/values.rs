@@ -106,7 +106,8 @@ impl RowBytes {
 
     /// Makes the last row that of a created vertex: a mean of directions has unit length, and one side or the other.
     pub(super) fn settle_last(&mut self, role: Role) {
-        let is_direction = matches!(role, Role::Normal | Role::Tangent) && self.form.component == Component::F32;
+        let is_direction =
+            matches!(role, Role::Normal | Role::Tangent) && self.form.component == Component::F32;
         let start = self.bytes.len().saturating_sub(self.form.size());
         if !is_direction || self.form.width() < 3 || start == self.bytes.len() {
             return;

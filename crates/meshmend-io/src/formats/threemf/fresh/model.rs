@@ -89,7 +89,9 @@ pub(super) struct Spelled<'a> {
 
 pub(super) fn spelled(name: &[u8]) -> Spelled<'_> {
     let text = String::from_utf8_lossy(name);
-    let is_spelled = |c: char| matches!(c, '\t' | '\n' | '\r') || !(c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'));
+    let is_spelled = |c: char| {
+        matches!(c, '\t' | '\n' | '\r') || !(c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'))
+    };
     let is_exact = matches!(text, Cow::Borrowed(_)) && text.chars().all(is_spelled);
     Spelled { text, is_exact }
 }
@@ -104,7 +106,8 @@ fn write_vertices(
     sink.bytes(b"<vertices>\n");
     for (number, &vertex) in (0..).zip(&object.vertices) {
         numbers[vertex.index()] = number;
-        for (name, x) in [&b"<vertex x=\""[..], b"\" y=\"", b"\" z=\""].into_iter().zip(mesh.position(vertex)) {
+        for (name, x) in [&b"<vertex x=\""[..], b"\" y=\"", b"\" z=\""].into_iter().zip(mesh.position(vertex))
+        {
             sink.bytes(name);
             sink.real(x);
         }

@@ -26,7 +26,8 @@ impl<'a> Objects<'a> {
     pub(super) fn of(mesh: &'a PolygonMesh) -> Self {
         let named = text_layer(mesh, "object");
         // An empty name is none.
-        let name = |value: usize| named.and_then(|(_, names)| names.get(value)).filter(|name| !name.is_empty());
+        let name =
+            |value: usize| named.and_then(|(_, names)| names.get(value)).filter(|name| !name.is_empty());
         let value = |face: FaceId| {
             let value = named.and_then(|(layer, _)| layer.value_of(face.index()));
             value.filter(|&value| name(value).is_some())

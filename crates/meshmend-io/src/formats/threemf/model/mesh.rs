@@ -48,7 +48,12 @@ impl<'a> Reader<'_, 'a, '_> {
         Ok(found)
     }
 
-    fn set_once(&self, slot: &mut Option<Range<usize>>, place: Range<usize>, name: &str) -> Result<(), Fault> {
+    fn set_once(
+        &self,
+        slot: &mut Option<Range<usize>>,
+        place: Range<usize>,
+        name: &str,
+    ) -> Result<(), Fault> {
         if slot.replace(place).is_none() { Ok(()) } else { Err(self.wrong(format!("`{name}` stands twice"))) }
     }
 
@@ -59,7 +64,8 @@ impl<'a> Reader<'_, 'a, '_> {
                 continue;
             }
             let number = mesh.positions.len();
-            let position = rows::vertex(&tag).map_err(|reason| self.wrong(format!("vertex {number}: {reason}")))?;
+            let position =
+                rows::vertex(&tag).map_err(|reason| self.wrong(format!("vertex {number}: {reason}")))?;
             mesh.positions.push(position);
             self.counts.vertex(self.entry)?;
             self.scanner.skip(&tag)?;
@@ -99,7 +105,8 @@ impl<'a> Reader<'_, 'a, '_> {
         let count = mesh.positions.len();
         let outside = mesh.corners.iter().position(|vertex| vertex.0 as usize >= count);
         outside.map_or(Ok(()), |corner| {
-            let missing = no_such_vertex(i64::from(mesh.corners[corner].0), count).replace("the file", "the object");
+            let missing =
+                no_such_vertex(i64::from(mesh.corners[corner].0), count).replace("the file", "the object");
             Err(self.wrong(format!("triangle {}: {missing}", corner / 3)))
         })
     }

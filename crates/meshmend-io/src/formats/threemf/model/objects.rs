@@ -88,7 +88,11 @@ impl<'a> Reader<'a, '_, '_> {
         let Some(id) = whole(&text) else {
             return Err(self.scanner.wrong(format!("`{}` is no id", shown(text.as_bytes()))));
         };
-        if self.ids.insert(id) { Ok(Some(id)) } else { Err(self.scanner.wrong(format!("two resources have the id {id}"))) }
+        if self.ids.insert(id) {
+            Ok(Some(id))
+        } else {
+            Err(self.scanner.wrong(format!("two resources have the id {id}")))
+        }
     }
 
     fn base_materials(&mut self, group: &Tag<'a>) -> Result<Vec<Material>, Fault> {
@@ -113,7 +117,8 @@ impl<'a> Reader<'a, '_, '_> {
         while let Some(tag) = self.scanner.child(object)? {
             let found = match (tag.space, tag.local) {
                 (Space::Core, "mesh") => {
-                    let mut reader = mesh::Reader { scanner: &mut self.scanner, counts: self.counts, entry, id };
+                    let mut reader =
+                        mesh::Reader { scanner: &mut self.scanner, counts: self.counts, entry, id };
                     Content::Mesh(Box::new(reader.mesh(&tag, default)?))
                 }
                 (Space::Core, "components") => Content::Components(self.uses(&tag, "component")?),
@@ -169,7 +174,8 @@ impl<'a> Reader<'a, '_, '_> {
             None => IDENTITY,
             Some(text) => matrix(&text).ok_or_else(|| {
                 let text = shown(text.as_bytes());
-                self.scanner.wrong(format!("a transform of object {object} that is not twelve numbers: `{text}`"))
+                self.scanner
+                    .wrong(format!("a transform of object {object} that is not twelve numbers: `{text}`"))
             })?,
         };
         let part_number = self.scanner.value(tag, "partnumber")?.unwrap_or_default();

@@ -85,14 +85,21 @@ fn entry(archive: &ZipSliceArchive<&[u8]>, record: &ZipFileHeaderRecord<'_>) -> 
     let is_deflated = match record.compression_method() {
         CompressionMethod::STORE => false,
         CompressionMethod::DEFLATE => true,
-        other => return Err(wrong(&format!("the entry is packed with {other}: a 3MF package is stored or deflated"))),
+        other => {
+            return Err(wrong(&format!(
+                "the entry is packed with {other}: a 3MF package is stored or deflated"
+            )));
+        }
     };
     let found = archive.get_entry(record.wayfinder()).map_err(|error| {
         wrong(&format!("the entry is damaged or cut off: {}", lowered(&error.to_string())))
     })?;
     let (start, end) = found.compressed_data_range();
     let at = record.central_directory_offset() as usize;
-    let length = RECORD + raw.len() + record.extra_fields().remaining_bytes().len() + record.comment().as_bytes().len();
+    let length = RECORD
+        + raw.len()
+        + record.extra_fields().remaining_bytes().len()
+        + record.comment().as_bytes().len();
     Ok(Entry {
         name,
         whole: record.local_header_offset() as usize..end as usize,

@@ -22,7 +22,7 @@ impl Fault {
 
     /// Something is wrong with one entry.
     pub(in crate::formats::threemf) fn of_entry(name: &str, reason: impl Into<String>) -> Self {
-        Fault { place: Place::Entry(printable(name)), kind: ReadErrorKind::Malformed(reason.into()) }
+        Fault { place: place_of(name), kind: ReadErrorKind::Malformed(reason.into()) }
     }
 
     /// Something is wrong with an object of a model.
@@ -32,8 +32,13 @@ impl Fault {
     }
 
     /// There is more of something than the limits allow.
-    pub(in crate::formats::threemf) fn limit(entry: &str, what: &'static str, found: u64, limit: u64) -> Self {
-        let place = Place::Entry(printable(entry));
+    pub(in crate::formats::threemf) fn limit(
+        entry: &str,
+        what: &'static str,
+        found: u64,
+        limit: u64,
+    ) -> Self {
+        let place = place_of(entry);
         Fault { place, kind: ReadErrorKind::LimitExceeded { what, found, limit } }
     }
 
@@ -41,6 +46,11 @@ impl Fault {
     pub(in crate::formats::threemf) fn in_file(self, source: &Source<'_>) -> ReadError {
         ReadError { file: source.name.to_owned(), place: self.place, kind: self.kind }
     }
+}
+
+/// The place of an entry: that of the file if the entry has no name.
+fn place_of(entry: &str) -> Place {
+    if entry.is_empty() { Place::File } else { Place::Entry(printable(entry)) }
 }
 
 impl fmt::Display for Fault {

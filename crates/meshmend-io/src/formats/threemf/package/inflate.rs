@@ -31,7 +31,11 @@ impl Budget {
     /// If it is damaged, or larger than the limits allow.
     ///
     /// *Cost*: linear in the content; memory grows with what is there, not with the size that is declared.
-    pub(in crate::formats::threemf) fn content(&mut self, archive: &[u8], entry: &Entry) -> Result<Vec<u8>, Fault> {
+    pub(in crate::formats::threemf) fn content(
+        &mut self,
+        archive: &[u8],
+        entry: &Entry,
+    ) -> Result<Vec<u8>, Fault> {
         let stored = &archive[entry.data.clone()];
         self.spend(stored.len() as u64, entry)?;
         let content = if entry.is_deflated { inflated(stored, entry)? } else { stored.to_vec() };
@@ -51,7 +55,10 @@ impl Budget {
             return Err(Fault::limit(&entry.name, INFLATED_BYTES, self.spent, self.limit));
         }
         if length > FREE && length > packed.saturating_mul(MOST_RATIO) {
-            return Err(Fault::of_entry(&entry.name, format!("inflates to more than {MOST_RATIO} times its size")));
+            return Err(Fault::of_entry(
+                &entry.name,
+                format!("inflates to more than {MOST_RATIO} times its size"),
+            ));
         }
         Ok(())
     }

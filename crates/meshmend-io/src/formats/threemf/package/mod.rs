@@ -3,9 +3,9 @@
 mod directory;
 mod fault;
 mod inflate;
-mod write;
 #[cfg(test)]
 mod tests;
+mod write;
 mod zip;
 
 pub(super) use self::directory::Directory;

@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
-use super::zip::{Label, Packer, push_end, push_entry, push_record, without_64};
 use super::zip::{Content, Origin};
+use super::zip::{Label, Packer, push_end, push_entry, push_record, without_64};
 use super::{Budget, Directory, archive_of, with_contents};
 
 fn packed(text: &[u8]) -> super::zip::Packed {

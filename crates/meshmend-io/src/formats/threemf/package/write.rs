@@ -7,7 +7,9 @@ use std::io::{self, Write};
 use std::ops::Range;
 
 use super::directory::{Directory, Entry};
-use super::zip::{Content, Label, Origin, Packed, Packer, push_end, push_entry, push_record, short, without_64};
+use super::zip::{
+    Content, Label, Origin, Packed, Packer, push_end, push_entry, push_record, short, without_64,
+};
 
 /// A new archive with these names and contents.
 pub(in crate::formats::threemf) fn archive_of(contents: &[(&str, Packed)]) -> Vec<u8> {

@@ -111,7 +111,8 @@ pub(super) struct Origin<'a> {
 }
 
 impl Origin<'_> {
-    pub(super) const NEW: Origin<'static> = Origin { made_by: [VERSION as u8, 0], attributes: [0; 8], comment: &[] };
+    pub(super) const NEW: Origin<'static> =
+        Origin { made_by: [VERSION as u8, 0], attributes: [0; 8], comment: &[] };
 }
 
 /// Appends a local header and the content behind it.
@@ -132,7 +133,13 @@ pub(super) fn push_entry(out: &mut Vec<u8>, label: &Label<'_>, Packed { content,
 }
 
 /// Appends a record of the directory.
-pub(super) fn push_record(out: &mut Vec<u8>, label: &Label<'_>, origin: &Origin<'_>, content: &Content, at: u64) {
+pub(super) fn push_record(
+    out: &mut Vec<u8>,
+    label: &Label<'_>,
+    origin: &Origin<'_>,
+    content: &Content,
+    at: u64,
+) {
     let sizes = [content.length, content.packed, at];
     let wide: Vec<u64> = sizes.into_iter().filter(|&number| short(number) == u32::MAX).collect();
     out.extend_from_slice(&RECORD);

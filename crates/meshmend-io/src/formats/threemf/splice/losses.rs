@@ -29,7 +29,8 @@ pub(super) fn of_object(part: &Part, origin: &Origin, told: &Told) -> Vec<Loss> 
             format!("{name}: {triangles} what was said of the whole triangle")
         }),
         Loss::if_any(LossKind::StaleData, lost_members, |n| {
-            let members = one_or_many(n, "member of a set of triangles is", "members of sets of triangles are");
+            let members =
+                one_or_many(n, "member of a set of triangles is", "members of sets of triangles are");
             format!("{name}: {members} gone with the triangles")
         }),
         Loss::if_any(LossKind::StaleData, slices, |_| {
@@ -38,7 +39,10 @@ pub(super) fn of_object(part: &Part, origin: &Origin, told: &Told) -> Vec<Loss> 
         Loss::if_any(LossKind::TextLayout, needed, |n| {
             let vertices = counted(n, "vertex");
             let stay = if n == 1 { "stays" } else { "stay" };
-            format!("{name}: {vertices} that no triangle uses {stay} in the file, as beams need {}", if n == 1 { "it" } else { "them" })
+            format!(
+                "{name}: {vertices} that no triangle uses {stay} in the file, as beams need {}",
+                if n == 1 { "it" } else { "them" }
+            )
         }),
     ];
     losses.into_iter().flatten().collect()

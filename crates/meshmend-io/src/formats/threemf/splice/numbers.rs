@@ -114,7 +114,9 @@ pub(super) fn set_edits(
         let number = |name: &str| value(tag, name).and_then(|text| text.trim().parse::<usize>().ok());
         let members = match local {
             "ref" => number("index").map(|index| index..index.saturating_add(1)),
-            "refrange" => number("startindex").zip(number("endindex")).map(|(start, end)| start..end.saturating_add(1)),
+            "refrange" => {
+                number("startindex").zip(number("endindex")).map(|(start, end)| start..end.saturating_add(1))
+            }
             _ => None,
         };
         let Some(members) = members else { return };

@@ -51,7 +51,8 @@ impl<'t> Rows<'t> {
     pub(super) fn gap(&self, number: u32) -> &'t str {
         let number = number as usize;
         let end = self.places.get(number).map_or(self.text.len(), |place| place.start);
-        let start = number.checked_sub(1).and_then(|before| self.places.get(before)).map_or(0, |place| place.end);
+        let start =
+            number.checked_sub(1).and_then(|before| self.places.get(before)).map_or(0, |place| place.end);
         &self.text[start..end]
     }
 
@@ -101,7 +102,8 @@ pub(super) fn with_values(row: &str, values: &[(&str, String)]) -> String {
         }
     }
     changed.push_str(&row[copied..end]);
-    for (name, value) in values.iter().filter(|(name, _)| attributes_of(row).all(|known| known.name != *name)) {
+    for (name, value) in values.iter().filter(|(name, _)| attributes_of(row).all(|known| known.name != *name))
+    {
         changed.push_str(&format!(" {name}=\"{value}\""));
     }
     changed.push_str(&row[end..]);

@@ -44,7 +44,8 @@ impl Triangles<'_> {
                 continue;
             };
             last = number;
-            let is_again = is_copied.get_mut(number as usize).is_some_and(|slot| std::mem::replace(slot, true));
+            let is_again =
+                is_copied.get_mut(number as usize).is_some_and(|slot| std::mem::replace(slot, true));
             text.push_str(if is_again { self.rows.blank_gap(number) } else { self.rows.gap(number) });
             let (row, found) = self.changed(row, face, number, is_again);
             text.push_str(&row);
@@ -72,9 +73,11 @@ impl Triangles<'_> {
         {
             let old = [first, second.unwrap_or(first), third.unwrap_or(first)];
             let corners: Vec<CornerId> = self.mesh.faces().face_corners(face).collect();
-            let new: Vec<&str> = places.iter().zip(corners).map(|(place, corner)| {
-                old[place.unwrap_or_else(|| self.nearest(corner, FaceId(number)))]
-            }).collect();
+            let new: Vec<&str> = places
+                .iter()
+                .zip(corners)
+                .map(|(place, corner)| old[place.unwrap_or_else(|| self.nearest(corner, FaceId(number)))])
+                .collect();
             if new != old {
                 let new = new.iter().map(|value| (*value).to_owned());
                 values.extend(MEMBERS.into_iter().zip(new));
@@ -94,7 +97,8 @@ impl Triangles<'_> {
         let mut places = [None; 3];
         for (slot, corner) in places.iter_mut().zip(self.mesh.faces().face_corners(face)) {
             let Some(row) = self.sources.corner(corner) else { continue };
-            let place = vertices.iter().zip(is_taken).position(|(&vertex, is_taken)| vertex == row && !is_taken);
+            let place =
+                vertices.iter().zip(is_taken).position(|(&vertex, is_taken)| vertex == row && !is_taken);
             if let Some(place) = place {
                 is_taken[place] = true;
                 *slot = Some(place);

@@ -16,8 +16,9 @@ pub(super) struct Sources<'m> {
 impl<'m> Sources<'m> {
     pub(super) fn of(mesh: &'m PolygonMesh) -> Self {
         let layer = |home: Domain| {
-            let is_wanted =
-                |layer: &&Layer| layer.name() == ROW && layer.role() == Role::Identity && layer.home() == home;
+            let is_wanted = |layer: &&Layer| {
+                layer.name() == ROW && layer.role() == Role::Identity && layer.home() == home
+            };
             let layer = mesh.layers().iter().find(is_wanted)?;
             if let Values::U32(rows) = layer.values() { Some((layer, rows.as_slice())) } else { None }
         };
@@ -133,14 +134,16 @@ impl Vertices {
                 Vertex::OfMesh(vertex, row) => {
                     let position = mesh.position(vertex);
                     let as_before = row.and_then(|row| before.positions().get(row as usize));
-                    let is_same = as_before.is_some_and(|old| old.map(f64::to_bits) == position.map(f64::to_bits));
+                    let is_same =
+                        as_before.is_some_and(|old| old.map(f64::to_bits) == position.map(f64::to_bits));
                     (row, (!is_same).then_some(position))
                 }
             };
             let source = row.and_then(|row| Some((row, rows.row(row)?)));
             if let Some((number, _)) = source {
                 last = number;
-                let is_again = is_copied.get_mut(number as usize).is_some_and(|slot| std::mem::replace(slot, true));
+                let is_again =
+                    is_copied.get_mut(number as usize).is_some_and(|slot| std::mem::replace(slot, true));
                 text.push_str(if is_again { rows.blank_gap(number) } else { rows.gap(number) });
             } else {
                 text.push_str(rows.blank_gap(last));

@@ -50,7 +50,8 @@ impl<'a> Namespaces<'a> {
             None => return true,
         };
         let known = KNOWN.iter().find(|(name, _)| *name == value.trim());
-        let space = known.map_or(if value.is_empty() { Space::Core } else { Space::Other }, |(_, space)| *space);
+        let space =
+            known.map_or(if value.is_empty() { Space::Core } else { Space::Other }, |(_, space)| *space);
         self.declared.push((depth, prefix, space));
         self.declared.len() <= MOST
     }

@@ -85,7 +85,9 @@ impl<'a> Scanner<'a> {
         match self.token()? {
             Token::Open(tag) => Ok(Some(tag)),
             Token::Close => Ok(None),
-            Token::End => Err(self.wrong(format!("the text ends within `{}`", shown(parent.name().as_bytes())))),
+            Token::End => {
+                Err(self.wrong(format!("the text ends within `{}`", shown(parent.name().as_bytes()))))
+            }
         }
     }
 
@@ -120,7 +122,11 @@ impl<'a> Scanner<'a> {
     }
 
     /// The value of an attribute without a prefix, with its entities resolved.
-    pub(in crate::formats::threemf) fn value(&self, tag: &Tag<'a>, name: &str) -> Result<Option<String>, Fault> {
+    pub(in crate::formats::threemf) fn value(
+        &self,
+        tag: &Tag<'a>,
+        name: &str,
+    ) -> Result<Option<String>, Fault> {
         self.find(tag, |attribute| attribute.name == name)
     }
 
@@ -149,7 +155,9 @@ impl<'a> Scanner<'a> {
             }
             let value = unescaped(attribute.value).ok_or_else(|| self.unknown_entity(attribute.value))?;
             if found.replace(value.into_owned()).is_some() {
-                return Err(self.wrong(format!("`{}` stands twice in one tag", shown(attribute.name.as_bytes()))));
+                return Err(
+                    self.wrong(format!("`{}` stands twice in one tag", shown(attribute.name.as_bytes())))
+                );
             }
         }
         Ok(found)
@@ -259,5 +267,7 @@ impl<'a> Scanner<'a> {
 }
 
 fn is_unicode(encoding: &str) -> bool {
-    ["utf-8", "utf8", "utf-16", "us-ascii", "ascii"].iter().any(|known| known.eq_ignore_ascii_case(encoding.trim()))
+    ["utf-8", "utf8", "utf-16", "us-ascii", "ascii"]
+        .iter()
+        .any(|known| known.eq_ignore_ascii_case(encoding.trim()))
 }
