@@ -4,8 +4,7 @@ use meshmend_io::{
     Format, Limits, PreparedDocument, ReadErrorKind, ReadOptions, WriteOptions, read_document_bytes,
 };
 
-use crate::compare::assert_well_formed;
-use crate::readers::assert_located;
+use crate::compare::{assert_located, assert_well_formed};
 
 /// The bytes as a glTF file, as JSON or as GLB.
 pub fn gltf(data: &[u8]) {

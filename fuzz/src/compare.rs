@@ -1,6 +1,8 @@
-//! What two meshes have in common, where numbers are the same when they are equal to the bit or both no number.
+//! What two meshes have in common, where numbers are the same when they are equal to the bit or both no number; and what
+//! any mesh that is read and any error has to be.
 
 use meshmend_core::{Layer, PolygonMesh, Role, Values};
+use meshmend_io::{Place, ReadError};
 use meshmend_testkit::laws::{Entry, layer_entries, number_key};
 
 /// The points of a mesh, comparable.
@@ -51,4 +53,17 @@ pub(crate) fn assert_well_formed(mesh: &PolygonMesh) {
         assert_eq!(layer_entries(layer).len(), elements);
     }
     assert_eq!(mesh.complex().faces().face_count(), counts.faces);
+}
+
+/// An error says where in the file it is, or that it is about all of it, on one line of text.
+pub(crate) fn assert_located(error: &ReadError, data: &[u8]) {
+    let lines = data.iter().filter(|b| matches!(b, b'\n' | b'\r')).count() as u64 + 1;
+    match &error.place {
+        Place::File => {}
+        Place::Line(line) => assert!((1..=lines).contains(line), "{error}: there are {lines} lines"),
+        Place::Byte(byte) => assert!(*byte <= data.len() as u64, "{error}: there are {} bytes", data.len()),
+        Place::Pointer(pointer) => assert!(pointer.starts_with('/'), "{error}"),
+        place => assert!(!place.to_string().is_empty(), "{error}"),
+    }
+    assert!(!error.to_string().contains('\n'), "{error}");
 }

@@ -6,8 +6,7 @@ use meshmend_io::{
     Document, Format, LossKind, PreparedDocument, ReadOptions, WriteOptions, read_document_bytes,
 };
 
-use crate::compare::assert_well_formed;
-use crate::readers::assert_located;
+use crate::compare::{assert_located, assert_well_formed};
 use crate::zip::stored_archive;
 
 const RELATIONS: &[u8] = b"<Relationships><Relationship Target=\"/3D/3dmodel.model\" \

@@ -3,12 +3,12 @@
 
 use meshmend_core::{Metadata, PolygonMesh};
 use meshmend_io::{
-    Format, Limits, LossKind, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions, WriteOptions,
+    Format, Limits, LossKind, NoteKind, ReadError, ReadErrorKind, ReadFile, ReadOptions, WriteOptions,
 };
 use meshmend_io::{encode, read_bytes};
 
 use crate::assets::gltf;
-use crate::compare::{assert_well_formed, position_keys, same_layer};
+use crate::compare::{assert_located, assert_well_formed, position_keys, same_layer};
 use crate::packages::package;
 
 /// The bytes as an OBJ file.
@@ -86,19 +86,6 @@ fn read_and_write(format: Format, data: &[u8]) {
         }
         Err(error) => assert_located(&error, data),
     }
-}
-
-/// An error says where in the file it is, or that it is about all of it, on one line of text.
-pub(crate) fn assert_located(error: &ReadError, data: &[u8]) {
-    let lines = data.iter().filter(|b| matches!(b, b'\n' | b'\r')).count() as u64 + 1;
-    match &error.place {
-        Place::File => {}
-        Place::Line(line) => assert!((1..=lines).contains(line), "{error}: there are {lines} lines"),
-        Place::Byte(byte) => assert!(*byte <= data.len() as u64, "{error}: there are {} bytes", data.len()),
-        Place::Pointer(pointer) => assert!(pointer.starts_with('/'), "{error}"),
-        place => assert!(!place.to_string().is_empty(), "{error}"),
-    }
-    assert!(!error.to_string().contains('\n'), "{error}");
 }
 
 /// A limit of one less than there is refuses the file, and one of just that much takes it.

@@ -68,7 +68,7 @@ impl ByWord {
             mesh: named.mesh.clone(),
             status: PartStatus::Editable,
         };
-        Document::of_parts(parts.map(part).collect(), document)
+        document.with_parts(parts.map(part).collect())
     }
 
     /// The failure when faces have no names of this kind.
@@ -102,7 +102,7 @@ pub(crate) struct PartWords {
 }
 
 impl PartWords {
-    /// The numbers of the parts that are asked for; all without a choice.
+    /// The numbers of the parts that are asked for, ascending; all without a choice.
     ///
     /// # Errors
     /// If a word is neither the name nor the number of a part.

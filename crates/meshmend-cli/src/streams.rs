@@ -146,11 +146,7 @@ pub(crate) fn write_prepared(
     prepared: &Prepared,
     console: &mut Console<'_>,
 ) -> Result<(), Failure> {
-    if !is_stream(output) {
-        return Ok(prepared.write(output)?);
-    }
-    let written = console.send(|out| prepared.encode(out));
-    Ok(written.map_err(|error| WriteError { file: OUTPUT.to_owned(), ..error })?)
+    write_ready(output, console, |path| prepared.write(path), |out| prepared.encode(out))
 }
 
 /// Writes a document that is ready to a file, whole or not at all, or to standard output.
@@ -159,11 +155,19 @@ pub(crate) fn write_document(
     prepared: &PreparedDocument,
     console: &mut Console<'_>,
 ) -> Result<(), Failure> {
+    write_ready(output, console, |path| prepared.write(path), |out| prepared.encode(out))
+}
+
+fn write_ready(
+    output: &Path,
+    console: &mut Console<'_>,
+    write: impl FnOnce(&Path) -> Result<(), WriteError>,
+    encode: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>,
+) -> Result<(), Failure> {
     if !is_stream(output) {
-        return Ok(prepared.write(output)?);
+        return Ok(write(output)?);
     }
-    let written = console.send(|out| prepared.encode(out));
-    Ok(written.map_err(|error| WriteError { file: OUTPUT.to_owned(), ..error })?)
+    Ok(console.send(encode).map_err(|error| WriteError { file: OUTPUT.to_owned(), ..error })?)
 }
 
 /// Writes a text, as [`write_with`] writes.

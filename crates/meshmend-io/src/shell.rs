@@ -89,7 +89,6 @@ pub(crate) enum NamedContent {
     /// A picture.
     Picture,
     /// Numbers of the meshes.
-    #[allow(dead_code, reason = "glTF has them")]
     Buffer,
 }
 

@@ -3,8 +3,9 @@
 use meshmend_core::{DefectKind, Id, PolygonMesh, Sources, VertexId};
 use meshmend_repair::{NamedPart, PassError, Session, named_parts};
 
+use crate::CheckOptions;
 use crate::View;
-use crate::check::{CheckOptions, CheckReport, check, viewed};
+use crate::check::{CheckReport, check, viewed};
 
 /// A part of a mesh, and what it is.
 #[derive(Clone, Debug)]

@@ -8,58 +8,10 @@ use meshmend_core::{
 };
 use meshmend_geometry::coincident::{Coincidence, equal_in_pose};
 use meshmend_repair::{Distance, PassError, Session, Weld};
-use meshmend_topology::{TopologyReport, Witness};
+use meshmend_topology::TopologyReport;
 use serde::Serialize;
 
-use crate::{AnyKernel, Kernels, View};
-
-/// How to check.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct CheckOptions {
-    /// Whether the mesh is judged as stored or as welded.
-    pub view: View,
-    /// The kernel to compute on.
-    pub kernel: AnyKernel,
-    /// Of which kernels it is told whether they hold the mesh.
-    pub kernels: Kernels,
-    /// Which strip of faces shows that a patch is not orientable.
-    pub witness: Witness,
-    /// Which kinds of defect are looked for.
-    pub rules: Rules,
-}
-
-impl CheckOptions {
-    /// These options with this view of the mesh.
-    #[must_use]
-    pub fn with_view(self, view: View) -> Self {
-        CheckOptions { view, ..self }
-    }
-
-    /// These options with this kernel to compute on.
-    #[must_use]
-    pub fn with_kernel(self, kernel: impl Into<AnyKernel>) -> Self {
-        CheckOptions { kernel: kernel.into(), ..self }
-    }
-
-    /// These options with these kernels, of which it is told whether they hold the mesh.
-    #[must_use]
-    pub fn with_kernels(self, kernels: Kernels) -> Self {
-        CheckOptions { kernels, ..self }
-    }
-
-    /// These options with this strip of faces as a witness.
-    #[must_use]
-    pub fn with_witness(self, witness: Witness) -> Self {
-        CheckOptions { witness, ..self }
-    }
-
-    /// These options with these kinds of defect.
-    #[must_use]
-    pub fn with_rules(self, rules: Rules) -> Self {
-        CheckOptions { rules, ..self }
-    }
-}
+use crate::{AnyKernel, CheckOptions, Kernels, View};
 
 /// What a check found.
 #[derive(Clone, Debug)]

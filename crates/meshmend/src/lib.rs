@@ -206,6 +206,7 @@
 
 mod by_name;
 mod check;
+mod check_options;
 mod loops;
 mod matrix_questions;
 mod mend;
@@ -230,7 +231,8 @@ pub use meshmend_topology as topology;
 pub use meshmend_topology::matrices;
 
 pub use by_name::{NamedReport, check_by_name};
-pub use check::{CheckOptions, CheckReport, KernelVerdict, StoredCounts, check, check_in};
+pub use check::{CheckReport, KernelVerdict, StoredCounts, check, check_in};
+pub use check_options::CheckOptions;
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, PathOptions, cut, loops};
 pub use matrix_questions::{MatrixAnswers, MatrixError, MatrixQuestions, Neighbourhood};
 pub use mend::repair;

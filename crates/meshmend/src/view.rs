@@ -1,7 +1,7 @@
 //! The two ways to look at a file: by its indices, or by its positions.
 
 use meshmend_core::PolygonMesh;
-use meshmend_io::Format;
+use meshmend_io::{Format, Part};
 use meshmend_repair::{Context, Distance, Pass, PassError, Weld};
 
 /// As what a mesh is judged.
@@ -18,6 +18,11 @@ impl View {
     /// How files of a format are usually judged: by position where the format has no indices, else as stored.
     pub fn usual_for(format: Format) -> Self {
         if format.has_indices() { View::Indexed } else { View::Welded(Distance::Exact) }
+    }
+
+    /// How a part of a file of a format is usually judged: as stored where the file itself says which vertices are one.
+    pub fn usual_for_part(format: Format, part: &Part) -> Self {
+        if part.tells_vertices() { View::Indexed } else { View::usual_for(format) }
     }
 
     /// Its name in reports: `indexed` or `welded`.

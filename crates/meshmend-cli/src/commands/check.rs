@@ -126,10 +126,8 @@ impl Check {
             document = as_one_mesh(document, place.into(), path)?.into();
         }
         progress.step(&format!("check {}", name(path)));
-        let options = asked.options.with_view(words::view_of(self.weld, document.format));
-        // What the file says of vertices goes before their places.
-        let as_told = if self.weld.is_none() { options.with_view(View::Indexed) } else { options };
         if let Some(by) = self.parts.by {
+            let options = asked.options.with_view(words::view_of(self.weld, document.format));
             return self.check_by(by, path, document, (&options, asked));
         }
         let (mut status, mut reports) = (Status::Done, Vec::new());
@@ -138,8 +136,9 @@ impl Check {
                 reports.push((part, None));
                 continue;
             }
-            let options = if document.parts[part].tells_vertices() { &as_told } else { &options };
-            let report = check(&document.parts[part].mesh, options)
+            let usual = View::usual_for_part(document.format, &document.parts[part]);
+            let options = asked.options.with_view(self.weld.map_or(usual, Welding::view));
+            let report = check(&document.parts[part].mesh, &options)
                 .map_err(|error| Failure::of_pass(&name(path), &error))?;
             let fail_on = asked.failing_kinds(&document.parts[part]);
             let is_failing = Asked::is_failing(&report, &fail_on);
@@ -166,7 +165,9 @@ impl Check {
         let document = by.document(document, reports.iter().map(|named| &named.part));
         let chosen = self.parts.chosen(&document)?;
         let (mut status, mut kept) = (Status::Done, Vec::new());
-        for (number, named) in reports.into_iter().enumerate().filter(|(number, _)| chosen.contains(number)) {
+        for (number, named) in
+            reports.into_iter().enumerate().filter(|(number, _)| chosen.binary_search(number).is_ok())
+        {
             status = status.and(if Asked::is_failing(&named.report, &asked.fail_on) {
                 Status::DefectsFound
             } else {

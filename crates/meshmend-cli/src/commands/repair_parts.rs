@@ -144,7 +144,7 @@ impl Named {
         let failed = |error: DraftError| Failure::of_pass(&repaired.name, &error.into());
         let (mesh, _) = joined_parts(&self.whole, &now).map_err(failed)?;
         let part = Part { name: Vec::new(), source: PartSource::Whole, mesh, status: PartStatus::Editable };
-        Ok(Document::of_parts(vec![part], repaired.document.clone()))
+        Ok(repaired.document.clone().with_parts(vec![part]))
     }
 }
 
@@ -165,7 +165,7 @@ impl Work<'_> {
                 parts.push((number, PartResult::Sealed(reason.to_owned())));
                 continue;
             }
-            let view = if part.tells_vertices() { View::Indexed } else { View::usual_for(document.format) };
+            let view = View::usual_for_part(document.format, part);
             match self.part(&part.mesh, view) {
                 Ok((report, mesh, record)) => {
                     records[number] = Some(record);

@@ -1,6 +1,6 @@
 //! A file as a whole: its meshes, and what is round them.
 //!
-//! A file of OBJ, PLY, STL or OFF is one mesh. One of glTF or 3MF has several, and much that is no mesh. A document
+//! A file of OBJ, PLY, STL or OFF is one mesh. One of glTF or 3MF has several, and much that is not a mesh. A document
 //! holds each mesh as a part, in its own space; its [shell](crate::Shell) holds the rest.
 
 mod material;
@@ -160,9 +160,9 @@ impl From<ReadFile> for Document {
 }
 
 impl Document {
-    /// A file with other parts than it has.
-    pub fn of_parts(parts: Vec<Part>, of: Document) -> Self {
-        Document { parts, ..of }
+    /// This document with other parts.
+    pub fn with_parts(self, parts: Vec<Part>) -> Self {
+        Document { parts, ..self }
     }
 
     /// Whether the file is one mesh, as all files of formats without parts are.

@@ -18,8 +18,8 @@ const OF_ONE: [&str; 4] = ["genus", "cross_caps", "component_kinds", "component_
 /// genus. Lists at the top are empty unless there is one part.
 #[derive(Clone, Debug, Default)]
 pub struct PartsDocument {
-    parts: Vec<Map<String, Value>>,
-    reports: Vec<Value>,
+    /// What each part is called, with its report if it has one.
+    parts: Vec<(Map<String, Value>, Option<Value>)>,
     own: Map<String, Value>,
 }
 
@@ -34,13 +34,7 @@ impl PartsDocument {
         part: &Part,
         report: &impl Serialize,
     ) -> Result<(), serde_json::Error> {
-        let report = serde_json::to_value(report)?;
-        let mut keys = head(index, part);
-        if let Value::Object(report) = &report {
-            keys.extend(report.clone());
-        }
-        self.parts.push(keys);
-        self.reports.push(report);
+        self.parts.push((head(index, part), Some(serde_json::to_value(report)?)));
         Ok(())
     }
 
@@ -48,7 +42,7 @@ impl PartsDocument {
     pub fn add_without(&mut self, index: usize, part: &Part, key: &str, reason: &str) {
         let mut keys = head(index, part);
         keys.insert(key.to_owned(), reason.into());
-        self.parts.push(keys);
+        self.parts.push((keys, None));
     }
 
     /// Says something of the file as a whole.
@@ -71,14 +65,18 @@ fn head(index: usize, part: &Part) -> Map<String, Value> {
 
 impl Serialize for PartsDocument {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut top = match &self.reports[..] {
-            [] => Map::new(),
+        let reports: Vec<&Value> = self.parts.iter().filter_map(|(_, report)| report.as_ref()).collect();
+        let mut top = match &reports[..] {
             [only] => only.as_object().cloned().unwrap_or_default(),
-            several => together_of_objects(&several.iter().collect::<Vec<_>>()),
+            reports => together_of_objects(reports),
         };
         top.insert("schema".to_owned(), super::SCHEMA.into());
         top.extend(self.own.clone());
-        top.insert("parts".to_owned(), self.parts.iter().cloned().map(Value::Object).collect());
+        let whole = |(head, report): &(Map<String, Value>, Option<Value>)| {
+            let report = report.as_ref().and_then(Value::as_object).cloned().unwrap_or_default();
+            Value::Object(head.clone().into_iter().chain(report).collect())
+        };
+        top.insert("parts".to_owned(), self.parts.iter().map(whole).collect());
         top.serialize(serializer)
     }
 }

@@ -1,19 +1,20 @@
 //! GLB: a header, a chunk of JSON, perhaps a chunk of bytes, and chunks of other kinds, which are kept.
 
+use std::io;
 use std::ops::Range;
 
 use crate::formats::gltf::fault::Fault;
 use crate::input::notes::Notes;
-use crate::{NoteKind, Place};
+use crate::{NoteKind, Place, WriteErrorKind};
 
 /// The first bytes of every GLB file.
 pub(super) const MAGIC: &[u8; 4] = b"glTF";
 /// Of the format as a whole.
-const VERSION: u32 = 2;
-const HEADER: usize = 12;
-const CHUNK_HEADER: usize = 8;
-const JSON: u32 = u32::from_le_bytes(*b"JSON");
-const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
+pub(super) const VERSION: u32 = 2;
+pub(super) const HEADER: usize = 12;
+pub(super) const CHUNK_HEADER: usize = 8;
+pub(super) const JSON: u32 = u32::from_le_bytes(*b"JSON");
+pub(super) const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 
 /// Where the chunks of a GLB file are.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,6 +110,11 @@ fn sorted_by_kind(found: Vec<(u32, Range<usize>)>) -> Result<Chunks, Fault> {
 fn word(bytes: &[u8], at: usize) -> Option<u32> {
     let bytes = bytes.get(at..)?.get(..4)?.try_into().ok()?;
     Some(u32::from_le_bytes(bytes))
+}
+
+/// The error when a GLB would have more bytes than its header can say.
+pub(super) fn too_large() -> WriteErrorKind {
+    io::Error::new(io::ErrorKind::FileTooLarge, "a GLB has at most 4 GiB; a glTF has no such limit").into()
 }
 
 /// A GLB file with these chunks; `None` if it would have more bytes than its header can say.

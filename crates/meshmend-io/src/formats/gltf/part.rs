@@ -9,7 +9,7 @@ use crate::formats::gltf::fault::{Fault, Pointer};
 use crate::formats::gltf::pools::{Column, Pools};
 use crate::formats::gltf::primitives::{Mesh, Mode};
 use crate::formats::gltf::rows::{append_positions, append_to_pool, empty_pool};
-use crate::formats::gltf::topology::topology;
+use crate::formats::gltf::topology::{Rows, topology};
 use crate::formats::gltf::triangles::append_corners;
 
 /// The layer that names the row of a vertex among those of its part.
@@ -94,16 +94,6 @@ pub(super) fn read_part(
     let mesh = PolygonMesh::new(positions, faces).map_err(|error| failed(&error))?;
     let mesh = mesh.with_layers(layers).map_err(|error| failed(&error))?;
     Ok(ReadPart { mesh, stitches, tells_vertices })
-}
-
-/// Which rows the elements of the mesh have.
-pub(super) enum Rows {
-    /// Vertex i has row i.
-    Same,
-    /// Each vertex has this row.
-    OfVertices(Vec<u32>),
-    /// Each corner has this row: a vertex may have several.
-    OfCorners(Vec<u32>),
 }
 
 fn render_vertices(count: usize, vertices: usize, rows: &Rows) -> Layer {

@@ -5,7 +5,6 @@ use meshmend_core::VertexId;
 use crate::formats::gltf::asset::Asset;
 use crate::formats::gltf::buffers::Bytes;
 use crate::formats::gltf::fault::Fault;
-use crate::formats::gltf::part::Rows;
 use crate::formats::gltf::pools::Pools;
 use crate::formats::gltf::primitives::{Mesh, Mode};
 use crate::formats::gltf::rows::indices;
@@ -21,6 +20,16 @@ pub(super) enum Topology {
     Listed(Vec<u32>),
     /// The file says which vertex each corner is at, with a row for each vertex.
     Stated { corners: Vec<VertexId>, rows: Vec<u32> },
+}
+
+/// Which rows the elements of the mesh have.
+pub(super) enum Rows {
+    /// Vertex i has row i.
+    Same,
+    /// Each vertex has this row.
+    OfVertices(Vec<u32>),
+    /// Each corner has this row: a vertex may have several.
+    OfCorners(Vec<u32>),
 }
 
 /// Which rows are vertices of the mesh.

@@ -2,6 +2,9 @@
 
 use crate::formats::gltf::base64;
 
+/// How data URIs of buffers begin.
+pub(super) const DATA_URI: &str = "data:application/octet-stream;base64,";
+
 /// What a URI names.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Named<'a> {
@@ -52,7 +55,7 @@ pub(super) fn decoded(data: &str) -> Result<Vec<u8>, String> {
 
 /// A data URI of some bytes.
 pub(super) fn data_uri(bytes: &[u8]) -> String {
-    format!("data:application/octet-stream;base64,{}", base64::encode(bytes))
+    DATA_URI.to_owned() + &base64::encode(bytes)
 }
 
 fn percent_decoded(text: &str) -> Result<Vec<u8>, String> {

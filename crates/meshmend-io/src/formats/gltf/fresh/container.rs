@@ -1,16 +1,14 @@
 //! The two forms of a file: a GLB, and a text with the buffer in a data URI.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use super::accessors::File;
-use super::base64::Base64;
 use super::buffer;
 use super::root::text_of;
+use crate::formats::gltf::base64::Base64;
+use crate::formats::gltf::container::{BIN, CHUNK_HEADER, HEADER, JSON, MAGIC, VERSION, too_large};
+use crate::formats::gltf::uri::DATA_URI;
 use crate::{Prepared, WriteErrorKind};
-
-const DATA_URI: &str = "data:application/octet-stream;base64,";
-const JSON_CHUNK: u32 = 0x4E4F_534A;
-const BIN_CHUNK: u32 = 0x004E_4942;
 
 /// Writes a GLB.
 pub(in crate::formats::gltf) fn encode_glb(
@@ -20,18 +18,19 @@ pub(in crate::formats::gltf) fn encode_glb(
     let file = File::of(prepared);
     let mut text = text_of(prepared, &file, None)?;
     text.resize(text.len().next_multiple_of(4), b' ');
-    let head = if file.length == 0 { 20 } else { 28 };
+    let chunks = if file.length == 0 { 1 } else { 2 };
+    let head = (HEADER + chunks * CHUNK_HEADER) as u64;
     let length = u32::try_from(head + text.len() as u64 + file.length).map_err(|_| too_large())?;
-    let mut start = Vec::with_capacity(text.len() + 28);
-    start.extend_from_slice(b"glTF");
+    let mut start = Vec::with_capacity(text.len() + head as usize);
+    start.extend_from_slice(MAGIC);
     // Each of these is less than the length.
-    for number in [2, length, text.len() as u32, JSON_CHUNK] {
+    for number in [VERSION, length, text.len() as u32, JSON] {
         start.extend_from_slice(&number.to_le_bytes());
     }
     start.append(&mut text);
     if file.length > 0 {
         start.extend_from_slice(&(file.length as u32).to_le_bytes());
-        start.extend_from_slice(&BIN_CHUNK.to_le_bytes());
+        start.extend_from_slice(&BIN.to_le_bytes());
     }
     out.write_all(&start)?;
     // This flushes the sink at its end.
@@ -55,8 +54,4 @@ pub(in crate::formats::gltf) fn encode_gltf(
     out.write_all(tail)?;
     out.write_all(b"\n")?;
     Ok(out.flush()?)
-}
-
-fn too_large() -> WriteErrorKind {
-    io::Error::new(io::ErrorKind::FileTooLarge, "a GLB has at most 4 GiB; a glTF has no such limit").into()
 }

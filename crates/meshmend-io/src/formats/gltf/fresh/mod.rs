@@ -20,7 +20,6 @@
 mod accessors;
 mod arrange;
 mod attributes;
-mod base64;
 mod buffer;
 mod container;
 mod json;

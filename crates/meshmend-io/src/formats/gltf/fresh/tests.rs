@@ -40,19 +40,7 @@ impl Written {
     }
 
     fn with(mesh: &PolygonMesh, options: WriteOptions) -> Self {
-        let mut prepared = Prepared {
-            given: mesh.clone(),
-            mesh: mesh.clone(),
-            format: Format::Toy,
-            encoding: Encoding::LittleEndian,
-            options,
-            losses: Vec::new(),
-            record: None,
-            companions: Vec::new(),
-            named: Vec::new(),
-            held: Vec::new(),
-            at_vertices: Vec::new(),
-        };
+        let mut prepared = Prepared::as_given(mesh, Format::Toy, Encoding::LittleEndian, options);
         prepare(&mut prepared).unwrap();
         let mut glb = Vec::new();
         encode_glb(&prepared, &mut glb).unwrap();

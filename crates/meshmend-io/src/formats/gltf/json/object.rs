@@ -16,7 +16,7 @@ impl<'a> Object<'a> {
     /// A value as an object.
     ///
     /// # Errors
-    /// If it is none, or two of its members have one name.
+    /// If it is not an object, or two of its members have one name.
     pub(in crate::formats::gltf) fn of(value: Value<'a>, pointer: Pointer) -> Result<Self, Fault> {
         if !value.is_object() {
             return Err(pointer.fault("is not an object"));

@@ -1,6 +1,6 @@
 //! Where values begin and end in a text that is known to be JSON.
 
-/// The first byte from a place on that is no blank.
+/// The first byte from a place on that is not a blank.
 pub(super) fn skip_blanks(text: &[u8], mut at: usize) -> usize {
     while text.get(at).is_some_and(u8::is_ascii_whitespace) {
         at += 1;

@@ -1,10 +1,8 @@
 //! What the file is written of: its JSON with what changed, and the bytes of its buffers.
 
-use std::io;
-
 use crate::formats::gltf::asset::Asset;
 use crate::formats::gltf::buffers::Held;
-use crate::formats::gltf::container::glb;
+use crate::formats::gltf::container::{glb, too_large};
 use crate::formats::gltf::file::File;
 use crate::formats::gltf::json::{Edits, ListEdit, quoted};
 use crate::formats::gltf::splice::layout::Layout;
@@ -65,10 +63,7 @@ impl Contents {
             .iter()
             .map(|(kind, range)| (*kind, file.bytes.get(range.clone()).unwrap_or_default()))
             .collect();
-        let too_large = || {
-            io::Error::new(io::ErrorKind::FileTooLarge, "a GLB has at most 4 GiB; a glTF has no such limit")
-        };
-        glb(&json, chunk.as_deref(), &others).ok_or_else(|| too_large().into())
+        glb(&json, chunk.as_deref(), &others).ok_or_else(too_large)
     }
 
     /// Says in the JSON where the bytes of each buffer are, and returns those of the chunk.

@@ -4,6 +4,7 @@ use crate::ManifoldExtension;
 use crate::formats::gltf::accessor::Component;
 use crate::formats::gltf::fault::Fault;
 use crate::formats::gltf::primitives::{MANIFOLD, Mesh};
+use crate::formats::gltf::splice::closed_manifold::is_closed_manifold;
 use crate::formats::gltf::splice::part_change::PartChange;
 use crate::formats::gltf::splice::slots::Slots;
 use crate::formats::gltf::splice::users::{User, Users};
@@ -66,16 +67,4 @@ fn add_indices(vertices: &[u32], old: Option<usize>, mesh: usize, slots: &mut Sl
     let highest = vertices.iter().max().copied().unwrap_or_default();
     let component = if highest < u32::from(u16::MAX) { Component::U16 } else { Component::U32 };
     slots.add_numbers(vertices, component, old, User::Manifold(mesh), users)
-}
-
-/// Whether each side of a triangle is that of one other triangle, which runs through it the other way.
-pub(super) fn is_closed_manifold(corners: &[u32]) -> bool {
-    let sides = |triangle: &[u32]| {
-        [[triangle[0], triangle[1]], [triangle[1], triangle[2]], [triangle[2], triangle[0]]]
-    };
-    let mut there: Vec<[u32; 2]> = corners.chunks_exact(3).flat_map(sides).collect();
-    let mut back: Vec<[u32; 2]> = there.iter().map(|&[from, to]| [to, from]).collect();
-    there.sort_unstable();
-    back.sort_unstable();
-    !there.is_empty() && there.windows(2).all(|pair| pair[0] != pair[1]) && there == back
 }

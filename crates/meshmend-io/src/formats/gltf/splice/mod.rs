@@ -6,6 +6,7 @@
 //! is edited where it stands (`text`), and nothing is numbered anew.
 
 mod classes;
+mod closed_manifold;
 mod contents;
 mod document;
 mod layout;

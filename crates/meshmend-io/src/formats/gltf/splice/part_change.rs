@@ -8,7 +8,7 @@ use crate::formats::gltf::buffers::Bytes;
 use crate::formats::gltf::fault::Fault;
 use crate::formats::gltf::primitives::{Mesh, Mode, Primitive};
 use crate::formats::gltf::splice::classes::{Classes, NewPool};
-use crate::formats::gltf::splice::manifold::is_closed_manifold;
+use crate::formats::gltf::splice::closed_manifold::is_closed_manifold;
 use crate::formats::gltf::splice::part_rows::PartRows;
 use crate::formats::gltf::splice::pool_bytes::{Rounded, RowsOfAccessor, pool_bytes};
 use crate::formats::gltf::triangles::stored_indices;

@@ -6,11 +6,12 @@ use crate::formats::gltf::accessor::Form;
 use crate::formats::gltf::asset::Asset;
 use crate::formats::gltf::buffers::Bytes;
 use crate::formats::gltf::fault::Fault;
-use crate::formats::gltf::part::{FACE, MATERIAL, PRIMITIVE, RENDER_VERTEX, Rows, Stored, layer_of};
+use crate::formats::gltf::part::{FACE, MATERIAL, PRIMITIVE, RENDER_VERTEX, Stored, layer_of};
 use crate::formats::gltf::pools::Pools;
 use crate::formats::gltf::primitives::Mesh;
 use crate::formats::gltf::semantic::Semantic;
 use crate::formats::gltf::splice::values::same_bits;
+use crate::formats::gltf::topology::Rows;
 use crate::{Loss, LossKind};
 
 /// An attribute as the file has it, row by row, and as the part has it now.

@@ -4,13 +4,14 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::colors::material;
+use super::rows::whole;
 use super::{BaseMaterials, Content, Model, Object, Use, mesh};
 use crate::document::{Material, ObjectKind};
 use crate::formats::threemf::counts::Counts;
 use crate::formats::threemf::extras::Extras;
 use crate::formats::threemf::package::Fault;
 use crate::formats::threemf::xml::{Scanner, Space, Tag, Text};
-use crate::text::{digits, real, shown, trimmed};
+use crate::text::{real, shown};
 
 /// Reads the text of a model.
 ///
@@ -204,13 +205,6 @@ fn kind(name: Option<&str>) -> ObjectKind {
         Some("surface") => ObjectKind::Surface,
         Some(_) => ObjectKind::Other,
     }
-}
-
-/// A text that is a whole number below the greatest.
-pub(super) fn whole(text: &str) -> Option<u32> {
-    let text = trimmed(text.as_bytes());
-    let (number, length) = digits(text)?;
-    u32::try_from(number).ok().filter(|&number| length == text.len() && number < u32::MAX)
 }
 
 /// Four rows of three numbers that stand to the right of a row of coordinates, as three rows of four.

@@ -2,9 +2,8 @@
 
 use meshmend_core::VertexId;
 
-use super::objects::whole;
 use crate::formats::threemf::xml::{Tag, attributes, unescaped};
-use crate::text::{real, shown, trimmed};
+use crate::text::{digits, real, shown, trimmed};
 
 /// What a row says of a triangle.
 pub(super) struct Triangle {
@@ -98,4 +97,11 @@ fn twice(name: &str) -> String {
 #[cold]
 fn missing(name: &str) -> String {
     format!("`{name}` is missing")
+}
+
+/// A text that is a whole number below the greatest.
+pub(super) fn whole(text: &str) -> Option<u32> {
+    let text = trimmed(text.as_bytes());
+    let (number, length) = digits(text)?;
+    u32::try_from(number).ok().filter(|&number| length == text.len() && number < u32::MAX)
 }
