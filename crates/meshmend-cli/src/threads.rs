@@ -17,8 +17,8 @@ pub(crate) struct Pool(Option<ThreadPool>);
 impl Pool {
     /// Starts so many threads; without a number, as many as the largest of the inputs is worth.
     ///
-    /// Where none can be started, as in a full address space, the thread that calls does everything, unless a number
-    /// was asked for.
+    /// For small inputs, and where none can be started, as in a full address space, the thread that calls does
+    /// everything, unless a number was asked for.
     pub(crate) fn start(threads: Option<u16>, inputs: &[PathBuf]) -> Result<Self, Failure> {
         if let Some(threads) = threads {
             return match started(threads.into()) {
@@ -30,10 +30,8 @@ impl Pool {
         // How long a stream is can't be known.
         let is_large =
             |input: &PathBuf| is_stream(input) || fs::metadata(input).is_ok_and(|file| file.len() >= LARGE);
-        let pool = started(if inputs.iter().any(is_large) { AS_MANY_AS_PROCESSORS } else { 1 });
-        // That fails only for a thread of another pool, which will do.
-        let alone = |_| ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
-        Ok(Pool(pool.or_else(alone).ok()))
+        let many = inputs.iter().any(is_large).then(|| started(AS_MANY_AS_PROCESSORS));
+        Ok(Pool(many.and_then(Result::ok).or_else(alone)))
     }
 
     /// Does some work on these threads.
@@ -47,4 +45,9 @@ impl Pool {
 
 fn started(count: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
     ThreadPoolBuilder::new().num_threads(count).build()
+}
+
+/// The thread that calls, as a pool; nothing where it belongs to another pool, which will do.
+fn alone() -> Option<ThreadPool> {
+    ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().ok()
 }
