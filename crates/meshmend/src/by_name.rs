@@ -12,8 +12,8 @@ use crate::check::{CheckReport, check, viewed};
 pub struct NamedReport {
     /// The part.
     pub part: NamedPart,
-    /// What it is by itself. Vertices are named as stored in the whole; faces count within the part. An edge with one side
-    /// that other parts use too is not listed as boundary.
+    /// What it is by itself. Vertices and faces are named as stored in the whole; edges count within the part. An edge with
+    /// one side that other parts use too is not listed as boundary.
     pub report: CheckReport,
     /// The edges with one side that other parts use too, by their ends as stored in the whole.
     pub shared_edges: Vec<[VertexId; 2]>,
@@ -41,6 +41,7 @@ pub fn check_by_name(
         report.view = options.view;
         let stored = part.record.vertices.iter().map(|(_, viewed)| sources.of(viewed?));
         report.vertex_sources = Sources::listed(stored);
+        report.face_sources = part.record.faces.clone();
         report.leave_out(sides);
     }
     let named = |((report, part), sides): ((CheckReport, NamedPart), Vec<[VertexId; 2]>)| {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::iter;
 
 use meshmend_core::{
-    Defect, DefectKind, Defects, Found, Listed, PolygonMesh, Rules, Severity, Sources, VertexId,
+    Defect, DefectKind, Defects, FaceId, Found, Listed, PolygonMesh, Rules, Severity, Sources, VertexId,
 };
 use meshmend_geometry::coincident::{Coincidence, equal_in_pose};
 use meshmend_repair::{Distance, PassError, Session, Weld};
@@ -24,6 +24,8 @@ pub struct CheckReport {
     pub mesh: PolygonMesh,
     /// The vertex as stored that each of its vertices is: of those that a weld joined, the lowest.
     pub vertex_sources: Sources<VertexId>,
+    /// The face as stored that each of its faces is.
+    pub face_sources: Sources<FaceId>,
     /// Its figures, and the list of what is wrong with it as it is.
     pub topology: TopologyReport,
     /// Which kernels hold it.
@@ -153,12 +155,14 @@ impl CheckReport {
             coincident.extend(joined.filter(|_| view == View::Indexed));
             joined_in_single = only_in_single as u64;
         }
+        let face_sources = Sources::same(mesh.counts().faces);
         let own = rules.own().map(|kind| (kind, found_in(&mesh, kind))).collect();
         let mut report = CheckReport {
             view,
             stored,
             mesh,
             vertex_sources,
+            face_sources,
             topology,
             kernels: Vec::new(),
             joined_in_single,
@@ -244,6 +248,11 @@ impl CheckReport {
     /// The vertex as stored that a vertex of the mesh is.
     pub fn stored_vertex(&self, vertex: VertexId) -> VertexId {
         self.vertex_sources.of(vertex).unwrap_or(vertex)
+    }
+
+    /// The face as stored that a face of the mesh is.
+    pub fn stored_face(&self, face: FaceId) -> FaceId {
+        self.face_sources.of(face).unwrap_or(face)
     }
 
     fn verdict(&self, kernel: AnyKernel) -> KernelVerdict {

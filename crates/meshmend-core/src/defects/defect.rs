@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{Defect, DefectKind, Detail, Element, Unjudged};
-use crate::{VertexId, counted};
+use crate::{FaceId, VertexId, counted};
 
 impl Defect {
     /// A defect of a kind at an element.
@@ -37,6 +37,13 @@ impl Defect {
     pub fn with_vertices(self, name: impl Fn(VertexId) -> VertexId) -> Self {
         let beside = self.beside.map(|element| element.with_vertices(&name));
         Defect { at: self.at.with_vertices(name), beside, ..self }
+    }
+
+    /// The defect with other names for its faces: those of another numbering of the same mesh.
+    #[must_use]
+    pub fn with_faces(self, name: impl Fn(FaceId) -> FaceId) -> Self {
+        let beside = self.beside.map(|element| element.with_faces(&name));
+        Defect { at: self.at.with_faces(name), beside, ..self }
     }
 
     /// What a place holder in a rule's sentence stands for; `None` if it stands for nothing that the defect has.
@@ -85,7 +92,6 @@ impl fmt::Display for Detail {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::FaceId;
 
     #[test]
     fn a_defect_is_small_as_there_can_be_millions() {
@@ -99,5 +105,14 @@ mod tests {
         assert_eq!(joined, Defect::coincident_vertex(VertexId(11), VertexId(10)));
         let corner = Defect::non_simple_face(FaceId(1), VertexId(2)).with_vertices(far);
         assert_eq!(corner, Defect::non_simple_face(FaceId(1), VertexId(12)));
+    }
+
+    #[test]
+    fn other_names_are_given_to_all_faces() {
+        let far = |face: FaceId| FaceId(face.0 + 10);
+        let twin = Defect::duplicate_face(FaceId(1), FaceId(0)).with_faces(far);
+        assert_eq!(twin, Defect::duplicate_face(FaceId(11), FaceId(10)));
+        let strip = |at| Defect::non_orientable_patch(vec![FaceId(at), FaceId(at + 1)], Vec::new());
+        assert_eq!(strip(0).with_faces(far), strip(10));
     }
 }

@@ -101,6 +101,20 @@ impl Element {
         }
         self
     }
+
+    /// The element with other names for its faces: those of another numbering of the same mesh.
+    #[must_use]
+    pub fn with_faces(mut self, name: impl Fn(FaceId) -> FaceId) -> Self {
+        match &mut self {
+            Element::Face(face) | Element::Corner { face, .. } | Element::Patch(face) => *face = name(*face),
+            Element::Strip(strip) => strip.faces.iter_mut().for_each(|face| *face = name(*face)),
+            Element::Vertex(_)
+            | Element::Edge { .. }
+            | Element::LooseEdge { .. }
+            | Element::LoosePoint { .. } => {}
+        }
+        self
+    }
 }
 
 impl fmt::Display for Element {

@@ -84,12 +84,14 @@ impl PlacedDefect {
         }
     }
 
-    /// The defect with the numbers that its vertices have as stored.
+    /// The defect with the numbers that its vertices and faces have as stored.
     pub(crate) fn named_as_stored(mut self, report: &CheckReport) -> Self {
         let name = |vertex: VertexId| report.stored_vertex(vertex);
         self.vertices.iter_mut().for_each(|vertex| *vertex = name(*vertex));
         self.edge_ends.iter_mut().for_each(|ends| *ends = ends.map(name));
-        PlacedDefect { defect: self.defect.with_vertices(name), ..self }
+        let face_name = |face: FaceId| report.stored_face(face);
+        self.round.iter_mut().flat_map(|round| &mut round.faces).for_each(|face| *face = face_name(*face));
+        PlacedDefect { defect: self.defect.with_vertices(name).with_faces(face_name), ..self }
     }
 }
 
