@@ -1,0 +1,73 @@
+//! Coordinates as whole numbers of any size.
+
+use meshmend_geometry::vector::Point;
+use num_bigint::BigInt;
+
+/// A point of whole numbers.
+pub(super) type IntegerPoint = [BigInt; 3];
+
+/// Numbers times the least power of two that makes all of them whole.
+pub(super) fn integers<const N: usize>(numbers: [f64; N]) -> [BigInt; N] {
+    let lowest = lowest_exponent(numbers.iter());
+    numbers.map(|number| integer(number, lowest))
+}
+
+/// Points, all coordinates times the least power of two that makes all of them whole.
+pub(super) fn integer_points<const N: usize>(points: [Point; N]) -> [IntegerPoint; N] {
+    let lowest = lowest_exponent(points.iter().flatten());
+    points.map(|point| point.map(|number| integer(number, lowest)))
+}
+
+/// The exponent of the lowest bit that is set in any of some numbers; 0 if there is none.
+pub(super) fn lowest_exponent<'a>(numbers: impl Iterator<Item = &'a f64>) -> i32 {
+    let parts = numbers.map(|&number| parts(number)).filter(|&(digits, _)| digits != 0);
+    parts.map(|(digits, exponent)| exponent + digits.trailing_zeros() as i32).min().unwrap_or(0)
+}
+
+/// A number divided by two to the power of an exponent that is at most that of its lowest bit.
+pub(super) fn integer(number: f64, lowest: i32) -> BigInt {
+    let (digits, exponent) = parts(number);
+    if digits == 0 {
+        return BigInt::ZERO;
+    }
+    let shift = exponent - lowest;
+    if shift < 0 { BigInt::from(digits >> -shift) } else { BigInt::from(digits) << shift }
+}
+
+/// The vector from the second point to the first.
+pub(super) fn minus(a: &IntegerPoint, b: &IntegerPoint) -> IntegerPoint {
+    std::array::from_fn(|i| &a[i] - &b[i])
+}
+
+/// The scalar product.
+pub(super) fn dot(a: &IntegerPoint, b: &IntegerPoint) -> BigInt {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+/// The vector product.
+pub(super) fn cross(a: &IntegerPoint, b: &IntegerPoint) -> IntegerPoint {
+    [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
+}
+
+/// Whole digits with their sign and the exponent of two that they are times.
+fn parts(number: f64) -> (i64, i32) {
+    let bits = number.to_bits();
+    let (fraction, exponent) = ((bits & ((1 << 52) - 1)) as i64, ((bits >> 52) & 0x7ff) as i32);
+    let (digits, exponent) = if exponent == 0 { (fraction, 1) } else { (fraction | 1 << 52, exponent) };
+    (if number.is_sign_negative() { -digits } else { digits }, exponent - 1075)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_whole_times_one_power_of_two() {
+        assert_eq!(integers([0.75, -3.0, 0.0, -0.0]), [3, -12, 0, 0].map(BigInt::from));
+        assert_eq!(integers([12.0, 4.0]), [3, 1].map(BigInt::from));
+        assert_eq!(integers([5e-324, -1e-323]), [1, -2].map(BigInt::from));
+        let [one, huge] = integers([5e-324, 2.0_f64.powi(1000)]);
+        assert_eq!((one, huge), (BigInt::from(1), BigInt::from(1) << 2074));
+        assert_eq!(integers([0.0; 2]), [BigInt::ZERO; 2]);
+    }
+}

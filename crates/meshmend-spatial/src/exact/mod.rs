@@ -1,0 +1,16 @@
+//! Signs of real arithmetic on coordinates as doubles, for all finite doubles.
+//!
+//! Each question is answered in up to three steps: a sum in doubles with a bound of its error; expansions ([`robust`]),
+//! where no product can under- or overflow; else whole numbers of any size, the coordinates times a common power of two.
+//! Coordinates that are not finite get some answer.
+
+mod integers;
+mod lines;
+mod sides;
+mod sign;
+mod volume;
+
+pub use lines::{are_collinear, are_in_same_half_plane, compare_along, projection_of};
+pub use sides::{Axis, side_of_plane, turn, turn_along};
+pub use sign::Sign;
+pub use volume::volume_sign;
