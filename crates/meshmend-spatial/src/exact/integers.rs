@@ -4,28 +4,28 @@ use meshmend_geometry::vector::Point;
 use num_bigint::BigInt;
 
 /// A point of whole numbers.
-pub(super) type IntegerPoint = [BigInt; 3];
+pub(crate) type IntegerPoint = [BigInt; 3];
 
 /// Numbers times the least power of two that makes all of them whole.
-pub(super) fn integers<const N: usize>(numbers: [f64; N]) -> [BigInt; N] {
+pub(crate) fn integers<const N: usize>(numbers: [f64; N]) -> [BigInt; N] {
     let lowest = lowest_exponent(numbers.iter());
     numbers.map(|number| integer(number, lowest))
 }
 
 /// Points, all coordinates times the least power of two that makes all of them whole.
-pub(super) fn integer_points<const N: usize>(points: [Point; N]) -> [IntegerPoint; N] {
+pub(crate) fn integer_points<const N: usize>(points: [Point; N]) -> [IntegerPoint; N] {
     let lowest = lowest_exponent(points.iter().flatten());
     points.map(|point| point.map(|number| integer(number, lowest)))
 }
 
 /// The exponent of the lowest bit that is set in any of some numbers; 0 if there is none.
-pub(super) fn lowest_exponent<'a>(numbers: impl Iterator<Item = &'a f64>) -> i32 {
+pub(crate) fn lowest_exponent<'a>(numbers: impl Iterator<Item = &'a f64>) -> i32 {
     let parts = numbers.map(|&number| parts(number)).filter(|&(digits, _)| digits != 0);
     parts.map(|(digits, exponent)| exponent + digits.trailing_zeros() as i32).min().unwrap_or(0)
 }
 
 /// A number divided by two to the power of an exponent that is at most that of its lowest bit.
-pub(super) fn integer(number: f64, lowest: i32) -> BigInt {
+pub(crate) fn integer(number: f64, lowest: i32) -> BigInt {
     let (digits, exponent) = parts(number);
     if digits == 0 {
         return BigInt::ZERO;
@@ -35,17 +35,17 @@ pub(super) fn integer(number: f64, lowest: i32) -> BigInt {
 }
 
 /// The vector from the second point to the first.
-pub(super) fn minus(a: &IntegerPoint, b: &IntegerPoint) -> IntegerPoint {
+pub(crate) fn minus(a: &IntegerPoint, b: &IntegerPoint) -> IntegerPoint {
     std::array::from_fn(|i| &a[i] - &b[i])
 }
 
 /// The scalar product.
-pub(super) fn dot(a: &IntegerPoint, b: &IntegerPoint) -> BigInt {
+pub(crate) fn dot(a: &IntegerPoint, b: &IntegerPoint) -> BigInt {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
 /// The vector product.
-pub(super) fn cross(a: &IntegerPoint, b: &IntegerPoint) -> IntegerPoint {
+pub(crate) fn cross(a: &IntegerPoint, b: &IntegerPoint) -> IntegerPoint {
     [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
 }
 

@@ -4,8 +4,9 @@
 //! where no product can under- or overflow; else whole numbers of any size, the coordinates times a common power of two.
 //! Coordinates that are not finite get some answer.
 
-mod integers;
+pub(crate) mod integers;
 mod lines;
+pub(crate) mod nearest;
 mod sides;
 mod sign;
 mod volume;
