@@ -2,10 +2,13 @@
 //! files.
 //!
 //! * [`exact`]: signs of real arithmetic on doubles, from which all else is decided.
+//! * [`Surface`]: the faces of a mesh as triangles, corners known by their positions.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
 //!   [`is_straight`] points.
 
 pub mod exact;
 mod shape;
+mod surface;
 
 pub use shape::{Shapes, Sliver, SliverKind, compare_aspects, is_straight, shapes, sliver_kind};
+pub use surface::{Cell, Surface, Triangle, WHOLE};
