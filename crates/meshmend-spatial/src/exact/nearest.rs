@@ -15,6 +15,13 @@ pub(crate) fn root_of_quotient(numerator: &BigInt, denominator: &BigInt) -> f64 
     (root * 2f64.powi(half / 2) * 2f64.powi(half - half / 2)).min(f64::MAX)
 }
 
+/// The first digits of a vector, and the power of two by which they are less than it. They are all 0 only if the vector is.
+pub(crate) fn leading_digits(vector: &[BigInt; 3]) -> ([f64; 3], i64) {
+    let most = vector.iter().map(BigInt::bits).max().unwrap_or(0);
+    let cut = most.saturating_sub(64);
+    (vector.each_ref().map(|number| doubled(number, cut)), cut as i64)
+}
+
 /// A number less some of its last bits, of which 64 at most are left.
 fn doubled(number: &BigInt, cut: u64) -> f64 {
     let digits = (number.magnitude() >> cut).iter_u64_digits().next().unwrap_or(0) as f64;
@@ -32,5 +39,15 @@ mod tests {
         assert_eq!(root_of_quotient(&(big(9) << 2001u32), &(big(2) << 2000u32)), 3.0);
         assert_eq!(root_of_quotient(&big(1), &(big(4) << 600u32)), 2f64.powi(-301));
         assert_eq!(root_of_quotient(&(big(1) << 6000u32), &big(1)), f64::MAX);
+    }
+
+    #[test]
+    fn digits_of_a_vector_are_cut_alike() {
+        let vector = [3, 0, -4].map(|x| BigInt::from(x) << 3000u32);
+        let ([x, y, z], power) = leading_digits(&vector);
+        assert_eq!((x / z, y), (-0.75, 0.0));
+        assert_eq!((x.log2().floor(), power), (62.0, 2939));
+        assert_eq!(leading_digits(&[3, 0, -4].map(BigInt::from)), ([3.0, 0.0, -4.0], 0));
+        assert_eq!(leading_digits(&[0, 0, 0].map(BigInt::from)), ([0.0; 3], 0));
     }
 }
