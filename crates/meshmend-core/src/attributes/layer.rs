@@ -337,6 +337,20 @@ impl Layer {
         }
     }
 
+    /// What each vertex uses, in a layer that stands at the corners for now.
+    pub(crate) fn all_vertex_uses(&self, least_count: usize) -> Vec<u32> {
+        let mut uses: Vec<u32> = self.vertex_uses.as_deref().cloned().unwrap_or_default();
+        uses.resize(uses.len().max(least_count), NO_VALUE);
+        uses
+    }
+
+    /// Adds a value to the pool; its use.
+    pub(crate) fn push_numbers(&mut self, numbers: &[f64]) -> u32 {
+        let new = self.value_count() as u32;
+        Arc::make_mut(&mut self.values).push_numbers(numbers);
+        new
+    }
+
     pub(crate) fn element_use(&self, element: usize) -> u32 {
         self.use_of(element)
     }

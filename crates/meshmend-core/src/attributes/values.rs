@@ -213,6 +213,26 @@ impl Values {
         matches!(self, Values::I8(_) | Values::I16(_) | Values::I32(_) | Values::F32(_) | Values::F64(_))
     }
 
+    /// Appends some numbers, each as near to it as the type allows; nothing to names and lists.
+    pub(crate) fn push_numbers(&mut self, numbers: &[f64]) {
+        macro_rules! push {
+            ($values:expr, $type:ty) => {
+                $values.extend(numbers.iter().map(|&number| number as $type))
+            };
+        }
+        match self {
+            Values::I8(v) => push!(v, i8),
+            Values::U8(v) => push!(v, u8),
+            Values::I16(v) => push!(v, i16),
+            Values::U16(v) => push!(v, u16),
+            Values::I32(v) => push!(v, i32),
+            Values::U32(v) => push!(v, u32),
+            Values::F32(v) => push!(v, f32),
+            Values::F64(v) => push!(v, f64),
+            Values::Text(_) | Values::Lists { .. } => {}
+        }
+    }
+
     /// Appends the weighted mean of some values; says whether the type has fractions, so that it could.
     pub(crate) fn push_mean(&mut self, parts: &[(usize, f64)], width: usize) -> bool {
         let mean = |at: &dyn Fn(usize) -> f64, i: usize| -> f64 {

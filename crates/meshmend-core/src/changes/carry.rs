@@ -1,13 +1,16 @@
 //! How attribute layers are carried along by a change.
 
 use crate::attributes::turning::{Turned, turned};
+use crate::changes::influences::blend_influences;
 use crate::{CornerId, Domain, Draft, FaceTable, FlippedNormals, Id, Layer, NO_VALUE, PolygonMesh};
 
 impl PolygonMesh {
     /// The layers as the draft's mesh has them.
     pub(super) fn carried_layers(&self, draft: &Draft) -> Vec<Layer> {
         let carried = self.layers().iter().map(|layer| self.carried(layer, draft));
-        carried.map(|layer| with_turned_values(layer, draft)).collect()
+        let mut layers: Vec<Layer> = carried.map(|layer| with_turned_values(layer, draft)).collect();
+        blend_influences(self, draft, &mut layers);
+        layers
     }
 
     /// A layer as the draft's mesh has it.

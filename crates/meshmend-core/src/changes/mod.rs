@@ -4,6 +4,7 @@ mod anchors;
 mod blend;
 mod carry;
 mod draft;
+mod influences;
 mod provenance;
 mod rebuild;
 mod render_vertices;

@@ -140,6 +140,45 @@ fn a_created_corner_of_a_layer_that_moves_has_its_vertex_value() {
     assert_eq!(at_corners, [0.0, 1.0, 1.5, 2.0, 2.0, 1.0, 3.0].map(Some));
 }
 
+/// The square, skinned: a vertex created between two has the joints of both.
+#[test]
+fn a_created_vertex_is_moved_by_the_joints_of_all_that_it_lies_between() {
+    let joints = Values::U8([[1, 2, 0, 0], [1, 2, 0, 0], [3, 2, 0, 0], [1, 0, 0, 0]].concat());
+    let weights = Values::F32(
+        [[0.5, 0.5, 0.0, 0.0], [0.75, 0.25, 0.0, 0.0], [0.5, 0.5, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0]].concat(),
+    );
+    let layer = |name: &str, role, values| {
+        Layer::direct(name, Domain::Vertex, 4, Carry::Copy, values).with_role(role)
+    };
+    let skin = vec![layer("joints", Role::Joints(0), joints), layer("weights", Role::Weights(0), weights)];
+    let mesh = square().with_layers(skin).unwrap();
+    let place = Blend::Along { from: CornerId(1), to: CornerId(2), numerator: 1, denominator: 2 };
+    let mut builder = FaceTableBuilder::default();
+    builder.push_face([0, 1, 4, 2].map(VertexId));
+    builder.push_face([2, 4, 1, 3].map(VertexId));
+    let corners = [Some(0), Some(1), None, Some(2), Some(3), None, Some(4), Some(5)];
+    let draft = Draft {
+        vertex_sources: Sources::listed([Some(0), Some(1), Some(2), Some(3), None].map(|v| v.map(VertexId))),
+        created_vertices: vec![VertexDraft { position: [0.5, 0.5, 0.0], place: Some(place) }],
+        created_corners: vec![(CornerId(2), place), (CornerId(5), place)],
+        ..Draft::of_faces(
+            &mesh,
+            builder.build(5).unwrap(),
+            Sources::same(2),
+            Sources::listed(corners.map(|c| c.map(CornerId))),
+        )
+    };
+    let (new, _) = mesh.rebuild(draft).unwrap();
+    let row = |layer: &Layer, vertex: usize| -> Vec<f64> {
+        let value = layer.value_of(vertex).unwrap();
+        (value * 4..value * 4 + 4).filter_map(|place| layer.values().number(place)).collect()
+    };
+    let [joints, weights] = [&new.layers()[0], &new.layers()[1]];
+    assert_eq!((joints.domain(), weights.domain()), (Domain::Vertex, Domain::Vertex));
+    assert_eq!((row(joints, 4), row(weights, 4)), (vec![1.0, 2.0, 3.0, 0.0], vec![0.375, 0.375, 0.25, 0.0]));
+    assert_eq!((row(joints, 1), row(weights, 1)), (vec![1.0, 2.0, 0.0, 0.0], vec![0.75, 0.25, 0.0, 0.0]));
+}
+
 #[test]
 fn a_vertex_layer_stays_at_the_corners_while_some_of_a_vertex_differ() {
     let mesh = square();

@@ -3,6 +3,7 @@
 //! A file of OBJ, PLY, STL or OFF is one mesh. One of glTF or 3MF has several, and much that is not a mesh. A document
 //! holds each mesh as a part, in its own space; its [shell](crate::Shell) holds the rest.
 
+mod distinct_names;
 mod material;
 mod merged_layers;
 mod placed;
@@ -13,6 +14,7 @@ use std::sync::Arc;
 
 use meshmend_core::PolygonMesh;
 
+pub(crate) use self::distinct_names::DistinctNames;
 pub(crate) use self::material::extension;
 pub use self::material::{Material, Picture};
 pub use self::placed::TooMuchPlaced;

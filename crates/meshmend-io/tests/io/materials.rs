@@ -133,3 +133,23 @@ fn pictures_within_a_glb_become_files_beside_an_obj() {
         assert!(!output.0.join("c.mtl").exists());
     }
 }
+
+#[test]
+fn materials_of_one_name_stay_two() {
+    let json = r#"{"asset": {"version": "2.0"}, "meshes": [{"primitives": [
+        {"attributes": {"POSITION": 0}, "material": 0}, {"attributes": {"POSITION": 0}, "material": 1}]}],
+        "materials": [{"name": "red", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}, {"name": "red"}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0]}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": "data:;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"}]}"#;
+    let folder = Folder::new("one-name");
+    let (path, output) = (folder.0.join("a.gltf"), folder.0.join("b.obj"));
+    fs::write(&path, json).unwrap();
+    let losses = converted(&path, &output);
+    let told = "1 material shares its name with another and is called `red_1`".to_owned();
+    assert!(losses.contains(&(LossKind::Names, told)), "{losses:?}");
+    let text = fs::read_to_string(&output).unwrap();
+    assert!(text.contains("usemtl red\n") && text.contains("usemtl red_1\n"), "{text}");
+    let library = fs::read_to_string(folder.0.join("b.mtl")).unwrap();
+    assert!(library.contains("newmtl red_1\n"), "{library}");
+}

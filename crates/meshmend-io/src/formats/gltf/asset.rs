@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::Limits;
+use crate::document::DistinctNames;
 use crate::formats::gltf::fault::{Fault, Pointer};
 use crate::formats::gltf::json::{Object, Value};
 use crate::limits::{NODES, PARTS};
@@ -19,6 +20,7 @@ pub(super) struct Asset<'a> {
     pub(super) extensions_used: Vec<String>,
     /// How many bytes each buffer says that it has, once that was asked for: the text of a buffer may be long.
     lengths: Vec<OnceCell<u64>>,
+    material_names: OnceCell<DistinctNames>,
 }
 
 /// A piece of a buffer.
@@ -56,6 +58,7 @@ impl<'a> Asset<'a> {
             materials: root.items("materials")?,
             extensions_used: root.items("extensionsUsed")?.iter().filter_map(|name| name.as_text()).collect(),
             root,
+            material_names: OnceCell::new(),
         };
         Fault::if_more(PARTS, asset.meshes.len() as u64, limits.max_parts)?;
         Fault::if_more(NODES, asset.nodes.len() as u64, limits.max_nodes)?;
@@ -95,11 +98,15 @@ impl<'a> Asset<'a> {
         Ok(*self.lengths[index].get_or_init(|| length))
     }
 
-    /// The names of the materials, numbered where they have none.
-    pub(super) fn material_name(&self, index: usize) -> Vec<u8> {
-        let material = Object::of(self.materials[index], Pointer::item("materials", index));
-        let name = material.ok().and_then(|material| material.text("name").ok().flatten());
-        name.filter(|name| !name.is_empty()).unwrap_or_else(|| format!("material_{index}")).into_bytes()
+    /// The names of the materials.
+    pub(super) fn material_names(&self) -> &DistinctNames {
+        let given = |(index, &material): (usize, &Value<'_>)| {
+            let material = Object::of(material, Pointer::item("materials", index)).ok()?;
+            let name = material.text("name").ok().flatten()?;
+            (!name.is_empty()).then(|| name.into_bytes())
+        };
+        let all = || self.materials.iter().enumerate().map(given).collect::<Vec<_>>();
+        self.material_names.get_or_init(|| DistinctNames::of(&all()))
     }
 }
 

@@ -21,7 +21,7 @@ pub(super) fn materials(file: &File) -> Result<Vec<Material>, Fault> {
         images: asset.root.items("images")?,
     };
     let material = |(index, &value): (usize, &Value<'_>)| {
-        let name = asset.material_name(index);
+        let name = asset.material_names().name(index).to_vec();
         let material = Object::of(value, Pointer::item("materials", index));
         material
             .and_then(|material| described(&material, &pictures, name.clone()))

@@ -176,7 +176,7 @@ fn face_layers(asset: &Asset<'_>, mesh: &Mesh<'_>, ends: &[usize]) -> Vec<Layer>
     used.sort_unstable();
     used.dedup();
     if !used.is_empty() {
-        let names = used.iter().map(|&material| asset.material_name(material)).collect();
+        let names = used.iter().map(|&material| asset.material_names().name(material).to_vec()).collect();
         let material = |at: usize| -> u32 {
             let material = mesh.primitives[at].material;
             material.and_then(|m| used.binary_search(&m).ok()).map_or(NO_VALUE, |value| value as u32)

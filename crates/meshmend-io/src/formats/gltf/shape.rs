@@ -73,6 +73,7 @@ impl GltfShape {
         }
         lost(targets, "morph target", "morph targets");
         lost(lines, "primitive of points or lines", "primitives of points or lines");
+        losses.extend(asset.material_names().loss());
         losses.extend(self.losses_of_placing(&asset)?);
         Ok(losses)
     }

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::Material;
+use crate::document::DistinctNames;
 use crate::formats::threemf::assembly::Assembly;
 use crate::formats::threemf::extras::Extras;
 use crate::formats::threemf::model::Model;
@@ -20,8 +21,9 @@ pub(super) struct Package {
     /// What is to be known of each part.
     pub(super) origins: Vec<Origin>,
     pub(super) assembly: Assembly,
-    /// The base materials of all models, those of one name once.
+    /// The base materials of all models, those of one name and look once.
     pub(super) materials: Vec<Material>,
+    pub(super) material_names: DistinctNames,
     pub(super) extras: Extras,
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use meshmend_core::printable;
 
-use crate::document::ObjectKind;
+use crate::document::{DistinctNames, ObjectKind};
 use crate::formats::driver::ReadResult;
 use crate::formats::threemf::assembly::Assembly;
 use crate::formats::threemf::counts::Counts;
@@ -42,21 +42,47 @@ fn found(source: &Source<'_>, limits: &Limits) -> Result<Parsed, Fault> {
         extras: Extras::default(),
     };
     reader.read_models()?;
-    let Reader { models, extras, .. } = reader;
+    let Reader { mut models, extras, .. } = reader;
     let assembly = Assembly::of(&models, limits)?;
     let texts = models.iter().map(ModelText::of).collect();
-    let materials = materials_of(&models);
+    let (materials, material_names) = told_apart(&mut models);
     let (parts, origins) = parts::of(models)?;
     let notes = notes_of(&parts);
     let bytes = Arc::from(source.bytes);
-    let package = Package { bytes, directory, models: texts, origins, assembly, materials, extras };
+    let package =
+        Package { bytes, directory, models: texts, origins, assembly, materials, material_names, extras };
     Ok(Parsed { parts, notes, shell: Shell::of_file(Format::ThreeMf, Encoding::Ascii, package) })
 }
 
-fn materials_of(models: &[Model]) -> Vec<Material> {
-    let mut names = BTreeSet::new();
-    let all = models.iter().flat_map(|model| &model.materials).flat_map(|group| &group.members);
-    all.filter(|material| names.insert(&material.name)).cloned().collect()
+fn members(models: &mut [Model]) -> impl Iterator<Item = &mut Material> {
+    models.iter_mut().flat_map(|model| &mut model.materials).flat_map(|group| &mut group.members)
+}
+
+/// The base materials of all models, each that looks like one of its name before it left out. Others of that name have
+/// numbers from now on.
+fn told_apart(models: &mut [Model]) -> (Vec<Material>, DistinctNames) {
+    let look = |material: &Material| {
+        let color = material.base_color.map(|color| color.map(f64::to_bits));
+        (material.name.clone(), color, material.opacity.map(f64::to_bits))
+    };
+    let mut places = BTreeMap::new();
+    let mut materials: Vec<Material> = Vec::new();
+    for material in members(models) {
+        places.entry(look(material)).or_insert_with(|| {
+            materials.push(material.clone());
+            materials.len() - 1
+        });
+    }
+    let given: Vec<_> = materials.iter().map(|material| Some(material.name.clone())).collect();
+    let names = DistinctNames::of(&given);
+    for material in members(models) {
+        let name = places.get(&look(material)).map(|&place| names.name(place).to_vec());
+        material.name = name.unwrap_or_default();
+    }
+    for (place, material) in materials.iter_mut().enumerate() {
+        material.name = names.name(place).to_vec();
+    }
+    (materials, names)
 }
 
 fn notes_of(parts: &[crate::Part]) -> Notes {

@@ -14,7 +14,9 @@ impl Shape for Package {
     fn losses_in(&self, output: Output) -> Vec<Loss> {
         match output {
             Output::OfSameFormat => Vec::new(),
-            Output::OfOtherFormat => self.extras.losses(),
+            Output::OfOtherFormat => {
+                self.extras.losses().into_iter().chain(self.material_names.loss()).collect()
+            }
         }
     }
 

@@ -216,3 +216,32 @@ fn other_models_are_read_where_they_are_named() {
     let root = package_of(b"%3McF");
     assert_eq!(refused(&root), "test.3mf: 3D/3dmodel.model: the model is encrypted");
 }
+
+#[test]
+fn materials_of_one_name_that_look_different_stay_two() {
+    let resources = |second: &str| {
+        format!(
+            "<basematerials id=\"5\"><base name=\"Red\" displaycolor=\"#FF0000\"/></basematerials>\n\
+             <basematerials id=\"6\"><base name=\"Red\" displaycolor=\"{second}\"/></basematerials>\n{}",
+            tetrahedron("pid=\"5\" pindex=\"0\"", "").replacen(
+                "paint_color",
+                "pid=\"6\" p1=\"0\" paint_color",
+                1
+            )
+        )
+    };
+    let converted = |second: &str| {
+        let document = document(&package(&resources(second)));
+        let prepared = PreparedDocument::new(&document, &WriteOptions::of(Format::Obj)).unwrap();
+        let losses = prepared.losses().into_iter().filter(|loss| loss.kind == meshmend_io::LossKind::Names);
+        let mut text = Vec::new();
+        prepared.encode(&mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        let used: Vec<String> =
+            text.lines().filter_map(|line| Some(line.strip_prefix("usemtl ")?.to_owned())).collect();
+        (used, losses.map(|loss| loss.message).collect::<Vec<_>>())
+    };
+    let told = "1 material shares its name with another and is called `Red_1`".to_owned();
+    assert_eq!(converted("#800000"), (vec!["Red_1".to_owned(), "Red".to_owned()], vec![told]));
+    assert_eq!(converted("#FF0000"), (vec!["Red".to_owned(); 2], Vec::new()));
+}

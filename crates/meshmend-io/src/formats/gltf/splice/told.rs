@@ -24,8 +24,9 @@ pub(super) fn told_of(
         let at = primitive.primitive;
         match primitive.change {
             Change::Removed => {
-                let material = mesh.primitives[at].material.map(|material| asset.material_name(material));
-                let of = material.map_or(String::new(), |name| format!(", of material `{}`", shown(&name)));
+                let material =
+                    mesh.primitives[at].material.map(|material| asset.material_names().name(material));
+                let of = material.map_or(String::new(), |name| format!(", of material `{}`", shown(name)));
                 let message = format!("primitive {at} of {called}{of}, has no face left and is left out");
                 losses.push(Loss::new(LossKind::EmptiedName, 1, message));
             }
