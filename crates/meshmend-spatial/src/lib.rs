@@ -3,7 +3,7 @@
 //!
 //! * [`exact`]: signs of real arithmetic on doubles, from which all else is decided.
 //! * [`Surface`]: the faces of a mesh as triangles, corners known by their positions.
-//! * Open places: [`open_loops`] tells holes from the rims of sheets.
+//! * Open places: [`t_junctions`] finds vertices on edges, [`open_loops`] tells holes from the rims of sheets.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
 //!   [`is_straight`] points.
 
@@ -11,7 +11,10 @@ pub mod exact;
 mod rims;
 mod shape;
 mod surface;
+mod t_junctions;
+mod unit;
 
 pub use rims::{LoopKind, NoSide, OpenLoop, RIM, open_loops};
 pub use shape::{Shapes, Sliver, SliverKind, compare_aspects, is_straight, shapes, sliver_kind};
 pub use surface::{Cell, Surface, Triangle, WHOLE};
+pub use t_junctions::{TJunction, t_junctions};

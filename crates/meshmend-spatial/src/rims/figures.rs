@@ -1,42 +1,10 @@
-//! Areas and lengths in doubles that neither under- nor overflow: coordinates are first divided by a power of two near the
-//! largest one.
+//! What a loop encloses, in doubles; its direction exactly enough however thin it is.
 
 use meshmend_geometry::vector::{Point, cross, length, minus};
 use num_bigint::BigInt;
 
 use crate::exact::integers::{self, IntegerPoint, integer, lowest_exponent};
 use crate::exact::nearest::leading_digits;
-
-/// A power of two, in two factors that doubles hold.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Unit {
-    shrinking: [f64; 2],
-    growing: [f64; 2],
-}
-
-impl Unit {
-    /// The one by which a coordinate of this size becomes one of about 1.
-    pub(super) fn of(largest: f64) -> Self {
-        let power = if largest > 0.0 { largest.log2().floor().clamp(-1074.0, 1023.0) as i32 } else { 0 };
-        let halves = [power / 2, power - power / 2];
-        Unit { shrinking: halves.map(|half| 2f64.powi(-half)), growing: halves.map(|half| 2f64.powi(half)) }
-    }
-
-    /// A point in this unit.
-    pub(super) fn shrunk(&self, point: Point) -> Point {
-        point.map(|x| x * self.shrinking[0] * self.shrinking[1])
-    }
-
-    /// A length as it was; at most the largest double.
-    pub(super) fn length(&self, shrunk: f64) -> f64 {
-        (shrunk * self.growing[0] * self.growing[1]).min(f64::MAX)
-    }
-
-    /// An area as it was; at most the largest double.
-    pub(super) fn area(&self, shrunk: f64) -> f64 {
-        self.length(self.length(shrunk))
-    }
-}
 
 /// What a loop encloses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -115,16 +83,5 @@ mod tests {
         let area = LoopArea::of(&tiny);
         assert_eq!(area.direction, Some([0.0, 0.0, 1.0]));
         assert!((area.twice - 2e-310).abs() < 1e-312, "{}", area.twice);
-    }
-
-    #[test]
-    fn units_bring_any_size_near_to_one_and_back() {
-        for size in [5e-324, 1e-300, 0.3, 1.0, 7.0, 1e300, f64::MAX] {
-            let unit = Unit::of(size);
-            let [x, ..] = unit.shrunk([size, 0.0, 0.0]);
-            assert!((1.0..2.0).contains(&x), "{size} {x}");
-            assert_eq!(unit.length(x), size);
-        }
-        assert_eq!(Unit::of(1e300).area(1.0), f64::MAX);
     }
 }
