@@ -31,9 +31,8 @@ pub(super) fn blend_influences(mesh: &PolygonMesh, draft: &Draft, layers: &mut [
         given.add(Domain::Corner, corner.index(), place);
     }
     let at = given.at;
-    for layer in 0..layers.len() {
-        let of_layer = at.iter().filter(|use_| use_.layer == layer);
-        layers[layer] = with_uses(&layers[layer], of_layer);
+    for (place, layer) in layers.iter_mut().enumerate() {
+        *layer = with_uses(layer, at.iter().filter(|use_| use_.layer == place));
     }
 }
 
