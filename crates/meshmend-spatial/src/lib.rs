@@ -2,18 +2,28 @@
 //! files.
 //!
 //! * [`exact`]: signs of real arithmetic on doubles, from which all else is decided.
+//! * [`intersections`] finds the faces that cross, overlap or touch; [`CrossingSearch`] and [`do_cross`] tell whether new
+//!   triangles would.
+//! * [`boxes`]: a tree that finds which boxes overlap.
 //! * [`Surface`]: the faces of a mesh as triangles, corners known by their positions.
 //! * Open places: [`t_junctions`] finds vertices on edges, [`open_loops`] tells holes from the rims of sheets.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
 //!   [`is_straight`] points.
 
+pub mod boxes;
 pub mod exact;
+mod intersections;
+mod meeting;
 mod rims;
 mod shape;
 mod surface;
 mod t_junctions;
 mod unit;
 
+pub use intersections::{
+    Budget, CrossingSearch, FacePair, Figures, IntersectionOptions, Intersections, do_cross, intersections,
+};
+pub use meeting::Contact;
 pub use rims::{LoopKind, NoSide, OpenLoop, RIM, open_loops};
 pub use shape::{Shapes, Sliver, SliverKind, compare_aspects, is_straight, shapes, sliver_kind};
 pub use surface::{Cell, Surface, Triangle, WHOLE};

@@ -123,10 +123,12 @@ impl<'a> Surface<'a> {
     }
 
     /// Whether a face has three corners.
+    #[inline]
     pub(crate) fn is_triangle(&self, face: FaceId) -> bool {
         self.mesh.faces().corner_range(face).len() == 3
     }
 
+    #[inline]
     fn point(&self, corner: VertexId) -> Point {
         match self.mesh.positions().get(corner.index()) {
             Some(&point) => point,

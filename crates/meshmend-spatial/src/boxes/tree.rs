@@ -1,0 +1,234 @@
+//! A binary tree over boxes. It does not depend on the number of threads.
+
+use rayon::prelude::*;
+
+use super::bounds::Bounds;
+
+/// Most items of a leaf.
+const LEAF: usize = 8;
+/// Parts with fewer items are split by one thread.
+const PARALLEL: usize = 4096;
+
+/// A tree over numbered items with a box each. The boxes of the items are not kept: whoever asks gives them again.
+///
+/// Each node's items are halved at the median of the box centres along the axis in which these lie farthest apart. So the
+/// shape of the tree follows from their number: node k has the nodes 2 k + 1 and 2 k + 2 below it, and all leaves are equally
+/// deep.
+pub struct BoxTree {
+    /// The items, leaf after leaf.
+    items: Vec<u32>,
+    nodes: Vec<Node>,
+    depth: u32,
+}
+
+#[derive(Clone, Copy)]
+struct Node {
+    bounds: Bounds,
+    /// The greatest item below.
+    greatest: u32,
+}
+
+/// A box that is looked for among the items from a number on.
+#[derive(Clone, Copy, Debug)]
+pub struct Query {
+    /// The box.
+    pub bounds: Bounds,
+    /// The lowest item that is asked about.
+    pub from: u32,
+}
+
+/// An item while items are halved.
+#[derive(Clone, Copy)]
+struct Placed {
+    centre: [f64; 3],
+    item: u32,
+}
+
+impl BoxTree {
+    /// A tree over the items from 0 to `count` − 1.
+    ///
+    /// *Cost*: O(n log n); at most 32 bytes an item, and as many more while it is built.
+    pub fn over(count: usize, bounds: impl Fn(usize) -> Bounds + Sync) -> Self {
+        let mut depth = 0;
+        while count > LEAF << depth {
+            depth += 1;
+        }
+        let items = halved(count, depth, &bounds);
+        let mut tree = BoxTree { items, nodes: Vec::new(), depth };
+        tree.nodes = tree.enclosing(&bounds);
+        tree
+    }
+
+    /// Finds for each of some queries the items whose boxes overlap its box: `found` gets the query's place and the item, in an
+    /// order that depends on nothing but the tree and the queries.
+    ///
+    /// *Cost*: O(log n + found) a query where boxes are small beside the whole; queries near each other share the way down.
+    pub fn each_overlap(
+        &self,
+        queries: &[Query],
+        bounds: impl Fn(usize) -> Bounds,
+        mut found: impl FnMut(usize, usize),
+    ) {
+        let mut walk = Walk { tree: self, queries, bounds, active: Vec::new() };
+        walk.active.extend(0..queries.len() as u32);
+        walk.enter(0, 0, 0..self.items.len(), 0, &mut found);
+    }
+
+    /// The boxes of all nodes.
+    fn enclosing(&self, bounds: &(impl Fn(usize) -> Bounds + Sync)) -> Vec<Node> {
+        let leaves = 1_usize << self.depth;
+        let none = Node { bounds: Bounds::NONE, greatest: 0 };
+        let mut nodes = vec![none; 2 * leaves - 1];
+        let leaf = |(leaf, node): (usize, &mut Node)| {
+            *node = self.items[self.leaf_range(leaf)].iter().fold(none, |node, &item| Node {
+                bounds: node.bounds.with(bounds(item as usize)),
+                greatest: node.greatest.max(item),
+            });
+        };
+        nodes[leaves - 1..].par_iter_mut().enumerate().with_min_len(PARALLEL / LEAF).for_each(leaf);
+        for at in (0..leaves - 1).rev() {
+            let [one, other] = [nodes[2 * at + 1], nodes[2 * at + 2]];
+            nodes[at] =
+                Node { bounds: one.bounds.with(other.bounds), greatest: one.greatest.max(other.greatest) };
+        }
+        nodes
+    }
+
+    /// Where the items of a leaf are.
+    fn leaf_range(&self, leaf: usize) -> std::ops::Range<usize> {
+        let mut range = 0..self.items.len();
+        for level in (0..self.depth).rev() {
+            let [one, other] = halves(range);
+            range = if leaf >> level & 1 == 0 { one } else { other };
+        }
+        range
+    }
+}
+
+/// One search down the tree.
+struct Walk<'a, B> {
+    tree: &'a BoxTree,
+    queries: &'a [Query],
+    bounds: B,
+    /// The queries that reach a node, for each node on the way down.
+    active: Vec<u32>,
+}
+
+impl<B: Fn(usize) -> Bounds> Walk<'_, B> {
+    /// Enters a node with the queries that reached the one above it, which begin at `above` in the list.
+    fn enter(
+        &mut self,
+        at: usize,
+        level: u32,
+        items: std::ops::Range<usize>,
+        above: usize,
+        found: &mut impl FnMut(usize, usize),
+    ) {
+        let node = self.tree.nodes[at];
+        let first = self.active.len();
+        for place in above..first {
+            let query = &self.queries[self.active[place] as usize];
+            if node.bounds.overlaps(&query.bounds) & (node.greatest >= query.from) {
+                self.active.push(self.active[place]);
+            }
+        }
+        if self.active.len() > first {
+            if level == self.tree.depth {
+                self.look_at(items, first, found);
+            } else {
+                let [one, other] = halves(items);
+                self.enter(2 * at + 1, level + 1, one, first, found);
+                self.enter(2 * at + 2, level + 1, other, first, found);
+            }
+        }
+        self.active.truncate(first);
+    }
+
+    /// Compares a leaf's items with the queries that reached it.
+    fn look_at(&self, items: std::ops::Range<usize>, first: usize, found: &mut impl FnMut(usize, usize)) {
+        for &item in &self.tree.items[items] {
+            let bounds = (self.bounds)(item as usize);
+            for &place in &self.active[first..] {
+                let query = &self.queries[place as usize];
+                if (item >= query.from) & query.bounds.overlaps(&bounds) {
+                    found(place as usize, item as usize);
+                }
+            }
+        }
+    }
+}
+
+/// The items in the order of the leaves.
+fn halved(count: usize, depth: u32, bounds: &(impl Fn(usize) -> Bounds + Sync)) -> Vec<u32> {
+    let placed = |item: usize| Placed { centre: bounds(item).centre(), item: item as u32 };
+    let mut all: Vec<Placed> = (0..count).into_par_iter().with_min_len(PARALLEL).map(placed).collect();
+    halve(&mut all, depth);
+    all.into_iter().map(|placed| placed.item).collect()
+}
+
+fn halve(all: &mut [Placed], levels: u32) {
+    if levels == 0 {
+        return;
+    }
+    let extent = Bounds::of(all.iter().map(|placed| placed.centre));
+    let lengths: [f64; 3] = std::array::from_fn(|i| extent.high[i] - extent.low[i]);
+    let axis = (1..3).fold(0, |most, i| if lengths[i] > lengths[most] { i } else { most });
+    let [one, _] = halves(0..all.len());
+    if one.end < all.len() {
+        all.select_nth_unstable_by(one.end, |p, q| {
+            p.centre[axis].total_cmp(&q.centre[axis]).then(p.item.cmp(&q.item))
+        });
+    }
+    let is_large = all.len() >= PARALLEL;
+    let (low, high) = all.split_at_mut(one.end);
+    if is_large {
+        rayon::join(|| halve(low, levels - 1), || halve(high, levels - 1));
+    } else {
+        halve(low, levels - 1);
+        halve(high, levels - 1);
+    }
+}
+
+/// The two halves of a node's items.
+fn halves(items: std::ops::Range<usize>) -> [std::ops::Range<usize>; 2] {
+    let middle = items.start + items.len() / 2;
+    [items.start..middle, middle..items.end]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Boxes of many sizes in some order.
+    fn boxes(count: usize) -> Vec<Bounds> {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 40) as f64 / f64::from(1 << 24)
+        };
+        (0..count)
+            .map(|_| {
+                let low = [next(), next(), (next() * 4.0).floor()];
+                let size = next().powi(8);
+                Bounds { low, high: low.map(|x| x + size) }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn overlaps_are_those_of_all_pairs() {
+        for count in [0, 1, 2, 8, 9, 100, 1000] {
+            let all = boxes(count);
+            let tree = BoxTree::over(count, |item| all[item]);
+            let queries: Vec<Query> =
+                (0..count).map(|item| Query { bounds: all[item], from: item as u32 + 1 }).collect();
+            let mut found = Vec::new();
+            tree.each_overlap(&queries, |item| all[item], |query, item| found.push((query, item)));
+            found.sort_unstable();
+            let pairs = (0..count).flat_map(|one| (one + 1..count).map(move |other| (one, other)));
+            let expected: Vec<(usize, usize)> =
+                pairs.filter(|&(one, other)| all[one].overlaps(&all[other])).collect();
+            assert_eq!(found, expected, "{count}");
+        }
+    }
+}

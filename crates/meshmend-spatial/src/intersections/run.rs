@@ -1,0 +1,123 @@
+//! A run of faces, each compared with all higher faces.
+
+use std::cmp::Reverse;
+use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
+
+use meshmend_core::{FaceId, Id};
+use petgraph::unionfind::UnionFind;
+
+use super::hits::{Coplanar, Hit, hit};
+use super::report::{FacePair, Figures};
+use crate::boxes::{Bounds, BoxTree, Query};
+use crate::meeting::{Contact, shown_point};
+use crate::surface::Surface;
+
+/// Faces that go down the tree together.
+const TOGETHER: usize = 64;
+
+/// A mesh in which intersections are looked for.
+pub(super) struct Subject<'a> {
+    pub(super) surface: &'a Surface<'a>,
+    pub(super) tree: BoxTree,
+    /// The classes of faces that cross. The order in which they are joined does not matter.
+    pub(super) clusters: Mutex<UnionFind<u32>>,
+    /// How many pairs are listed.
+    pub(super) limit: usize,
+}
+
+/// What was found in a run of faces.
+#[derive(Default)]
+pub(super) struct Run {
+    pub(super) tests: u64,
+    pub(super) figures: Figures,
+    pub(super) pairs: Vec<FacePair>,
+    pub(super) self_crossing: Vec<FaceId>,
+}
+
+/// Two triangles of two faces that meet; in the order in which the first is the one to name for its faces.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Found {
+    faces: [u32; 2],
+    contact: Reverse<Contact>,
+    coplanar: Coplanar,
+    triangles: [u32; 2],
+}
+
+impl Subject<'_> {
+    /// Compares some faces in a row with all higher ones.
+    pub(super) fn run(&self, faces: Range<usize>) -> Run {
+        let mut run = Run::default();
+        let (mut queries, mut found) = (Vec::new(), Vec::new());
+        for start in faces.clone().step_by(TOGETHER) {
+            let end = faces.end.min(start + TOGETHER);
+            let first = self.surface.range_of(FaceId::new(start)).start;
+            let triangles = first..self.surface.range_of(FaceId::new(end - 1)).end;
+            queries.clear();
+            queries.extend(triangles.map(|at| Query { bounds: self.bounds(at), from: at as u32 + 1 }));
+            found.clear();
+            self.compare(first, &queries, &mut found, &mut run);
+            found.sort_unstable();
+            found.dedup_by_key(|found| found.faces);
+            self.report(&found, &mut run);
+        }
+        run.self_crossing.sort_unstable();
+        run.self_crossing.dedup();
+        run
+    }
+
+    /// Compares the triangles of some queries, the first of which has the number `first`, with what overlaps them.
+    fn compare(&self, first: usize, queries: &[Query], found: &mut Vec<Found>, run: &mut Run) {
+        let all = self.surface.triangles();
+        self.tree.each_overlap(
+            queries,
+            |at| self.bounds(at),
+            |query, other| {
+                let (one, two) = (&all[first + query], &all[other]);
+                run.tests += 1;
+                match hit(self.surface, one, two) {
+                    Some(Hit::SelfCrossing) => run.self_crossing.push(one.face),
+                    Some(Hit::Faces(contact, coplanar)) => found.push(Found {
+                        faces: [one.face.0, two.face.0],
+                        contact: Reverse(contact),
+                        coplanar,
+                        triangles: [(first + query) as u32, other as u32],
+                    }),
+                    None => {}
+                }
+            },
+        );
+    }
+
+    /// Counts pairs, joins those that cross, and lists what there is room for.
+    fn report(&self, found: &[Found], run: &mut Run) {
+        for pair in found {
+            run.figures.add(pair.contact.0, pair.coplanar == Coplanar::Yes);
+        }
+        let crossing = || found.iter().filter(|pair| pair.contact.0 == Contact::FaceFace);
+        if crossing().next().is_some() {
+            let mut clusters = self.clusters.lock().unwrap_or_else(PoisonError::into_inner);
+            crossing().for_each(|pair| {
+                clusters.union(pair.faces[0], pair.faces[1]);
+            });
+        }
+        let room = self.limit - run.pairs.len();
+        run.pairs.extend(found.iter().take(room).map(|found| self.listed(found)));
+    }
+
+    fn listed(&self, found: &Found) -> FacePair {
+        let is_coplanar = found.coplanar == Coplanar::Yes;
+        let points = found.triangles.map(|at| self.surface.points(&self.surface.triangles()[at as usize]));
+        let is_crossing = found.contact.0 == Contact::FaceFace;
+        FacePair {
+            faces: found.faces.map(FaceId),
+            contact: found.contact.0,
+            is_coplanar,
+            point: is_crossing.then(|| shown_point(points, is_coplanar)),
+        }
+    }
+
+    fn bounds(&self, triangle: usize) -> Bounds {
+        Bounds::of(self.surface.points(&self.surface.triangles()[triangle]))
+    }
+}

@@ -1,0 +1,74 @@
+//! The search through all faces, run by run.
+
+use std::sync::{Mutex, PoisonError};
+
+use meshmend_core::{FaceId, Id};
+use petgraph::unionfind::UnionFind;
+use rayon::prelude::*;
+
+use super::report::{Figures, IntersectionOptions, Intersections};
+use super::run::{Run, Subject};
+use crate::boxes::{Bounds, BoxTree};
+use crate::surface::Surface;
+
+/// Faces of a run.
+const RUN: usize = 4096;
+/// Runs of a thread at a time: if the budget ends among them, those after are done in vain.
+const AT_A_TIME: usize = 8;
+
+/// Which faces of a surface intersect, and how. Answers are the same for every number of threads.
+///
+/// *Cost*: O((n + tests) log n) time, where as many pairs of triangles are tested as have boxes that overlap; with the surface
+/// some 48 bytes a face, and what the listed pairs take.
+pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Intersections {
+    let all = surface.triangles();
+    let tree = BoxTree::over(all.len(), |at| Bounds::of(surface.points(&all[at])));
+    let faces = surface.mesh().counts().faces;
+    let clusters = Mutex::new(UnionFind::new(faces));
+    let subject = Subject { surface, tree, clusters, limit: options.limit };
+    let mut total = Run::default();
+    let (budget, runs) = (options.budget.tests(faces), faces.div_ceil(RUN));
+    let mut done = 0;
+    while done < runs && total.tests <= budget {
+        let next = done..runs.min(done + AT_A_TIME * rayon::current_num_threads());
+        let found: Vec<Run> =
+            next.into_par_iter().map(|run| subject.run(run * RUN..faces.min((run + 1) * RUN))).collect();
+        for run in found {
+            if total.tests <= budget {
+                add(&mut total, run, options.limit);
+                done += 1;
+            }
+        }
+    }
+    let is_complete = done == runs;
+    Intersections {
+        pairs: total.pairs,
+        self_crossing: total.self_crossing,
+        figures: is_complete.then(|| joined(total.figures, subject.clusters)),
+        complete_to: (!is_complete).then(|| FaceId::new(done * RUN - 1)),
+        zero_area: surface.zero_area().to_vec(),
+        unfit: surface.unfit().to_vec(),
+    }
+}
+
+fn add(total: &mut Run, run: Run, limit: usize) {
+    total.tests += run.tests;
+    total.figures.add_all(&run.figures);
+    total.self_crossing.extend(run.self_crossing);
+    let room = limit - total.pairs.len();
+    total.pairs.extend(run.pairs.into_iter().take(room));
+}
+
+/// The figures with those of the classes of faces that cross.
+fn joined(mut figures: Figures, clusters: Mutex<UnionFind<u32>>) -> Figures {
+    if figures.crossing + figures.overlapping == 0 {
+        return figures;
+    }
+    let roots = clusters.into_inner().unwrap_or_else(PoisonError::into_inner).into_labeling();
+    let mut members = vec![0_u32; roots.len()];
+    roots.iter().for_each(|&root| members[root as usize] += 1);
+    let classes = members.iter().filter(|&&count| count > 1);
+    figures.crossing_faces = classes.clone().map(|&count| count as usize).sum();
+    figures.clusters = classes.count();
+    figures
+}
