@@ -6,6 +6,7 @@
 //!   triangles would.
 //! * [`boxes`]: a tree that finds which boxes overlap.
 //! * [`Surface`]: the faces of a mesh as triangles, corners known by their positions.
+//! * [`nesting`] tells what is inside of what, and what is inside out; [`passage`] how a ray passes a triangle.
 //! * Open places: [`t_junctions`] finds vertices on edges, [`open_loops`] tells holes from the rims of sheets.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
 //!   [`is_straight`] points.
@@ -14,6 +15,7 @@ pub mod boxes;
 pub mod exact;
 mod intersections;
 mod meeting;
+mod nesting;
 mod rims;
 mod shape;
 mod surface;
@@ -24,6 +26,9 @@ pub use intersections::{
     Budget, CrossingSearch, FacePair, Figures, IntersectionOptions, Intersections, do_cross, intersections,
 };
 pub use meeting::Contact;
+pub use nesting::{
+    NestedComponent, Nesting, NestingState, NoSpace, lies_on, nesting, passage, passage_of_turns,
+};
 pub use rims::{LoopKind, NoSide, OpenLoop, RIM, open_loops};
 pub use shape::{Shapes, Sliver, SliverKind, compare_aspects, is_straight, shapes, sliver_kind};
 pub use surface::{Cell, Surface, Triangle, WHOLE};
