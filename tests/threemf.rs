@@ -14,10 +14,9 @@ use meshmend_io::{
 };
 use meshmend_repair::Pipeline;
 use meshmend_tests::corpus::{Entry, corpus};
-use meshmend_tests::judge::python;
+use meshmend_tests::judge::{assert_attributes_kept, python};
 use meshmend_tests::program;
 use meshmend_tests::scratch::Scratch;
-use meshmend_tests::shared::shared;
 
 /// The files whose meshes are closed, oriented and without doubles.
 fn whole(entries: &[Entry]) -> Vec<&Entry> {
@@ -145,7 +144,8 @@ fn damaged_copies_come_back_with_all_that_they_had() {
         let after = scratch.path().join(format!("{number}-after.3mf"));
         fs::write(&before, &expected).unwrap();
         fs::write(&after, &mended).unwrap();
-        assert_unchanged(&before, &after, &entry.name);
+        let nothing = ["--allow-created", "0", "--allow-removed", "0"];
+        assert_attributes_kept(&before, &after, &nothing, &entry.name);
     }
 }
 
@@ -183,15 +183,4 @@ fn what_is_written_is_an_archive_in_the_eyes_of_others() {
     for (one, other) in listed(&before).lines().zip(listed(&after).lines()) {
         assert_eq!(one, other);
     }
-}
-
-/// The checker finds no difference between two files.
-fn assert_unchanged(before: &Path, after: &Path, name: &str) {
-    let (Some(checker), Some(python)) = (shared("tools/check_attributes.py"), python()) else { return };
-    let mut command = Command::new(python);
-    command.env("PYTHONDONTWRITEBYTECODE", "1").arg(checker);
-    command.args(["--allow-created", "0", "--allow-removed", "0"]).args([before, after]);
-    let output = command.output().unwrap();
-    let said = String::from_utf8_lossy(&output.stdout);
-    assert!(output.status.success(), "{name}: {said}");
 }

@@ -5,7 +5,7 @@ use std::fs;
 
 use meshmend_io::{Format, LossKind, ReadOptions, WriteOptions, read, write};
 use meshmend_tests::corpus::corpus;
-use meshmend_tests::gltf_validator::validated;
+use meshmend_tests::gltf_judges::validated;
 use meshmend_tests::scratch::Scratch;
 
 /// Larger files take the validator long.

@@ -2,7 +2,7 @@
 
 use meshmend_core::Role;
 use meshmend_io::Format;
-use meshmend_tests::gltf_validator::validated;
+use meshmend_tests::gltf_judges::validated;
 use meshmend_tests::scratch::Scratch;
 use serde_json::{Value, json};
 

@@ -2,9 +2,11 @@
 
 use meshmend_io::Format;
 use meshmend_repair::Repaired;
-use meshmend_tests::gltf_validator::validated;
+use meshmend_tests::gltf_judges::{inspected, validated};
 use meshmend_tests::program;
 use meshmend_tests::scratch::Scratch;
+
+use serde_json::Value;
 
 use crate::documents::{document, repaired, scenes, stored, written};
 
@@ -76,4 +78,50 @@ fn no_output_has_an_error_that_its_input_did_not_have() {
             assert!(new.is_empty(), "{name}: {new:?}");
         }
     }
+}
+
+/// What stands round the meshes is what it was in the eyes of another program, and the triangles are those of the parts.
+#[test]
+fn another_program_reads_what_was_mended() {
+    let Some(scenes) = scenes() else { return };
+    let scratch = Scratch::new();
+    let (mut files, mut expected) = (Vec::new(), Vec::new());
+    for (number, (entry, bytes, document)) in scenes.iter().enumerate() {
+        // Other files stand beside where the input is.
+        if bytes.windows(6).any(|text| text == b"\"uri\":") && !bytes.starts_with(b"glTF") {
+            continue;
+        }
+        let (result, _) = repaired(document);
+        let suffix = document.format.extensions()[0];
+        files.push(stored(scratch.path(), &format!("{number}-in.{suffix}"), bytes));
+        files.push(stored(
+            scratch.path(),
+            &format!("{number}-out.{suffix}"),
+            &written(&result, document.format),
+        ));
+        let corners =
+            result.parts.iter().filter(|part| part.seal().is_none()).map(|part| part.mesh.counts().corners);
+        expected.push((
+            &entry.name,
+            result.parts.iter().all(|part| part.seal().is_none()),
+            corners.collect::<Vec<_>>(),
+        ));
+    }
+    let Some(answers) = inspected(&files) else { return };
+    let mut read = 0;
+    for ((name, is_open, corners), answers) in expected.iter().zip(answers.chunks(2)) {
+        let [before, after] = [&answers[0], &answers[1]];
+        assert_eq!((&before["round"], &before["error"]), (&after["round"], &after["error"]), "{name}");
+        let has_faces_alone = before["error"].is_null() && *is_open;
+        if has_faces_alone {
+            let triangles = after["corners"].as_array().unwrap().iter().filter_map(Value::as_u64);
+            assert_eq!(
+                triangles.collect::<Vec<_>>(),
+                corners.iter().map(|&n| n as u64).collect::<Vec<_>>(),
+                "{name}"
+            );
+            read += 1;
+        }
+    }
+    assert!(read > 15, "only {read} files were read");
 }

@@ -25,6 +25,20 @@ pub fn python() -> Option<&'static str> {
     found.as_deref()
 }
 
+/// The checker of attributes finds no difference between two files but those that options allow. Nothing is checked where it
+/// can't run.
+///
+/// # Panics
+/// If it finds one.
+pub fn assert_attributes_kept(before: &Path, after: &Path, options: &[&str], name: &str) {
+    let (Some(checker), Some(python)) = (shared("tools/check_attributes.py"), python()) else { return };
+    let mut command = Command::new(python);
+    command.env("PYTHONDONTWRITEBYTECODE", "1").arg(checker).args(options).args([before, after]);
+    let output = command.output().expect("the interpreter runs");
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{name}: {said}");
+}
+
 /// What the checker says of one file.
 #[derive(Clone, Debug)]
 pub struct Verdict {

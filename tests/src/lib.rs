@@ -7,7 +7,7 @@
 //! * [`contributing`]: the page for contributors beside the files that it shows.
 //! * [`corpus`]: the corpus and what its manifest says of each file.
 //! * [`each`]: one question to many files, with all that is wrong in one failure.
-//! * [`gltf_validator`]: the validator of glTF's makers.
+//! * [`gltf_judges`]: other programs that read glTF.
 //! * [`in_process`]: the program in the process of the test.
 //! * [`shared`]: the folder beside the workspace.
 //! * [`judge`]: the independent checker, over many files in one run.
@@ -22,7 +22,7 @@
 pub mod contributing;
 pub mod corpus;
 pub mod each;
-pub mod gltf_validator;
+pub mod gltf_judges;
 pub mod in_process;
 pub mod judge;
 pub mod program;
