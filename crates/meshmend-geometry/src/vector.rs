@@ -14,16 +14,19 @@ pub fn place_bits(point: Point) -> [u64; 3] {
 }
 
 /// The vector from the second point to the first.
+#[inline]
 pub fn minus(a: Point, b: Point) -> Point {
     std::array::from_fn(|i| a[i] - b[i])
 }
 
 /// The scalar product.
+#[inline]
 pub fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The vector product.
+#[inline]
 pub fn cross(a: Point, b: Point) -> Point {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

@@ -18,19 +18,20 @@ impl Bounds {
     /// The smallest box that holds some points.
     #[inline]
     pub fn of(points: impl IntoIterator<Item = Point>) -> Self {
-        let add = |bounds: Bounds, point| bounds.with(Bounds { low: point, high: point });
-        points.into_iter().fold(Bounds::NONE, add)
+        let mut bounds = Bounds::NONE;
+        for point in points {
+            bounds = bounds.with(&Bounds { low: point, high: point });
+        }
+        bounds
     }
 
     /// The smallest box that holds two boxes.
     #[inline]
-    pub fn with(self, other: Self) -> Self {
-        Bounds {
-            low: std::array::from_fn(|i| if other.low[i] < self.low[i] { other.low[i] } else { self.low[i] }),
-            high: std::array::from_fn(|i| {
-                if other.high[i] > self.high[i] { other.high[i] } else { self.high[i] }
-            }),
-        }
+    pub fn with(&self, other: &Self) -> Self {
+        let ([a, b, c], [p, q, r]) = (self.low, other.low);
+        let low = [lesser(a, p), lesser(b, q), lesser(c, r)];
+        let ([a, b, c], [p, q, r]) = (self.high, other.high);
+        Bounds { low, high: [greater(a, p), greater(b, q), greater(c, r)] }
     }
 
     /// Whether two boxes have a point in common.
@@ -48,6 +49,17 @@ impl Bounds {
     /// The point in its middle.
     #[inline]
     pub fn centre(&self) -> Point {
-        std::array::from_fn(|i| self.low[i] / 2.0 + self.high[i] / 2.0)
+        let ([a, b, c], [p, q, r]) = (self.low, self.high);
+        [a / 2.0 + p / 2.0, b / 2.0 + q / 2.0, c / 2.0 + r / 2.0]
     }
+}
+
+// What `f64::min` and `f64::max` say of numbers, without their care for what is none.
+#[inline]
+fn lesser(one: f64, other: f64) -> f64 {
+    if other < one { other } else { one }
+}
+#[inline]
+fn greater(one: f64, other: f64) -> f64 {
+    if other > one { other } else { one }
 }

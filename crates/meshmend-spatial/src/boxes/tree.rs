@@ -69,7 +69,8 @@ impl BoxTree {
         bounds: impl Fn(usize) -> Bounds,
         mut found: impl FnMut(usize, usize),
     ) {
-        let mut walk = Walk { tree: self, queries, bounds, active: Vec::new() };
+        let all = queries.iter().fold(Bounds::NONE, |all, query| all.with(&query.bounds));
+        let mut walk = Walk { tree: self, queries, all, bounds, active: Vec::new() };
         walk.active.extend(0..queries.len() as u32);
         walk.enter(0, 0, 0..self.items.len(), 0, &mut found);
     }
@@ -81,7 +82,7 @@ impl BoxTree {
         let mut nodes = vec![none; 2 * leaves - 1];
         let leaf = |(leaf, node): (usize, &mut Node)| {
             *node = self.items[self.leaf_range(leaf)].iter().fold(none, |node, &item| Node {
-                bounds: node.bounds.with(bounds(item as usize)),
+                bounds: node.bounds.with(&bounds(item as usize)),
                 greatest: node.greatest.max(item),
             });
         };
@@ -89,7 +90,7 @@ impl BoxTree {
         for at in (0..leaves - 1).rev() {
             let [one, other] = [nodes[2 * at + 1], nodes[2 * at + 2]];
             nodes[at] =
-                Node { bounds: one.bounds.with(other.bounds), greatest: one.greatest.max(other.greatest) };
+                Node { bounds: one.bounds.with(&other.bounds), greatest: one.greatest.max(other.greatest) };
         }
         nodes
     }
@@ -109,6 +110,8 @@ impl BoxTree {
 struct Walk<'a, B> {
     tree: &'a BoxTree,
     queries: &'a [Query],
+    /// The box that holds those of all queries.
+    all: Bounds,
     bounds: B,
     /// The queries that reach a node, for each node on the way down.
     active: Vec<u32>,
@@ -124,14 +127,8 @@ impl<B: Fn(usize) -> Bounds> Walk<'_, B> {
         above: usize,
         found: &mut impl FnMut(usize, usize),
     ) {
-        let node = self.tree.nodes[at];
         let first = self.active.len();
-        for place in above..first {
-            let query = &self.queries[self.active[place] as usize];
-            if node.bounds.overlaps(&query.bounds) & (node.greatest >= query.from) {
-                self.active.push(self.active[place]);
-            }
-        }
+        self.filter(&self.tree.nodes[at], above..first);
         if self.active.len() > first {
             if level == self.tree.depth {
                 self.look_at(items, first, found);
@@ -142,6 +139,22 @@ impl<B: Fn(usize) -> Bounds> Walk<'_, B> {
             }
         }
         self.active.truncate(first);
+    }
+
+    /// Appends those of some active queries that reach a node.
+    fn filter(&mut self, node: &Node, above: std::ops::Range<usize>) {
+        if !node.bounds.overlaps(&self.all) {
+            return;
+        }
+        // Each is written, and kept if it reaches the node: a branch would be guessed wrong too often.
+        let mut end = above.end;
+        self.active.resize(above.end + above.len(), 0);
+        for place in above {
+            let query = &self.queries[self.active[place] as usize];
+            self.active[end] = self.active[place];
+            end += usize::from(node.bounds.overlaps(&query.bounds) & (node.greatest >= query.from));
+        }
+        self.active.truncate(end);
     }
 
     /// Compares a leaf's items with the queries that reached it.

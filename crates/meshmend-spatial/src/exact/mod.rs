@@ -12,6 +12,6 @@ mod sign;
 mod volume;
 
 pub use lines::{are_collinear, are_in_same_half_plane, compare_along, projection_of};
-pub use sides::{Axis, side_of_plane, turn, turn_along};
+pub use sides::{Axis, Plane, side_of_plane, turn, turn_along};
 pub use sign::Sign;
 pub use volume::volume_sign;

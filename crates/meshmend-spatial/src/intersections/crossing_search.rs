@@ -62,7 +62,8 @@ pub fn do_cross(one: [Point; 3], other: [Point; 3]) -> bool {
 
 /// Whether the insides of two triangles of positive area have a point in common, and they have not the same corners.
 fn have_common_insides(one: [Point; 3], other: [Point; 3]) -> bool {
-    let pair = Pair::named([one, other], [one, other].map(|triangle| triangle.map(place_bits)));
+    let points = [one, other];
+    let pair = Pair::named(&points, points.map(|triangle| triangle.map(place_bits)));
     !pair.is_coincident() && pair.meeting().is_some_and(|meeting| meeting.cells == [WHOLE; 2])
 }
 

@@ -22,7 +22,8 @@ pub(super) enum Coplanar {
 /// How two triangles of a surface meet; `None` if they are apart or meet properly.
 #[inline]
 pub(super) fn hit(surface: &Surface<'_>, f: &Triangle, g: &Triangle) -> Option<Hit> {
-    let pair = Pair::named([surface.points(f), surface.points(g)], [f.corners, g.corners]);
+    let points = [surface.points(f), surface.points(g)];
+    let pair = Pair::named(&points, [f.corners, g.corners]);
     if f.face == g.face {
         let is_crossing = pair.meeting().is_some_and(|meeting| meeting.cells == [WHOLE; 2]);
         return is_crossing.then_some(Hit::SelfCrossing);

@@ -1,17 +1,22 @@
 //! Triangles in one plane.
 
 use super::Pair;
-use crate::exact::{Axis, Sign, projection_of, turn, turn_along};
+use crate::exact::{Sign, projection_of, turn, turn_along};
 use crate::surface::{Cell, WHOLE};
 
 /// The sides of a triangle's sides on which three points lie: positive on the inside.
 type Turns = [[Sign; 3]; 3];
 
 /// The smallest cells that hold what two triangles in one plane have in common.
-pub(super) fn cells(pair: &Pair) -> Option<[Cell; 2]> {
+pub(super) fn cells(pair: &Pair<'_>) -> Option<[Cell; 2]> {
     let (axis, sign) = projection_of(pair.points[0])?;
-    let to_second = turns(pair, axis, sign);
-    let to_first = turns(&pair.swapped(), axis, turn_along(axis, pair.points[1]));
+    let seen = pair.points.map(|triangle| triangle.map(|corner| axis.seen(corner)));
+    let signs = [sign, turn_along(axis, pair.points[1])];
+    let [f, g] = [0, 1].map(|which| Half { pair, seen: &seen, which, sign: signs[which] });
+    if f.is_shared_alone() || g.is_shared_alone() {
+        return Some(pair.shared);
+    }
+    let (to_second, to_first) = (f.turns(), g.turns());
     if !is_apart(&to_second) && !is_apart(&to_first) {
         return Some([WHOLE; 2]);
     }
@@ -23,20 +28,46 @@ pub(super) fn cells(pair: &Pair) -> Option<[Cell; 2]> {
     Some([least_cell(of_first, of_second, &to_second), least_cell(of_second, of_first, &to_first)])
 }
 
-/// Where the second triangle's corners lie by the first one's sides, which runs anticlockwise along the axis if `sign` is
-/// positive.
-fn turns(pair: &Pair, axis: Axis, sign: Sign) -> Turns {
-    let [f, g] = pair.points.map(|points| points.map(|point| axis.seen(point)));
-    std::array::from_fn(|side| {
-        let next = (side + 1) % 3;
-        std::array::from_fn(|at| {
-            if [side, next].into_iter().any(|end| pair.same[end] == Some(at)) {
-                Sign::Zero
-            } else {
-                sign * turn(f[side], f[next], g[at])
-            }
-        })
-    })
+/// One of two triangles, as it is seen.
+struct Half<'a> {
+    pair: &'a Pair<'a>,
+    seen: &'a [[[f64; 2]; 3]; 2],
+    /// Which of the two it is.
+    which: usize,
+    /// Which way it turns.
+    sign: Sign,
+}
+
+impl Half<'_> {
+    /// Whether a side of this triangle shows that the two have nothing but their common corners in common, of which there are
+    /// one or two: the side holds them, and all other corners of the other triangle lie strictly beyond it.
+    fn is_shared_alone(&self) -> bool {
+        let [own, others] = [self.pair.shared[self.which], self.pair.shared[1 - self.which]];
+        let holds = |side: usize| own & !(1 << side | 1 << ((side + 1) % 3)) == 0;
+        let is_beyond =
+            |side: usize, at: usize| others >> at & 1 == 1 || self.turn(side, at) == Sign::Negative;
+        own != 0 && (0..3).any(|side| holds(side) && (0..3).all(|at| is_beyond(side, at)))
+    }
+
+    /// Where the other triangle's corners lie by all sides.
+    fn turns(&self) -> Turns {
+        let ends = |side: usize| 1 << side | 1 << ((side + 1) % 3);
+        let is_end =
+            |side: usize, at: usize| (0..3).any(|own| ends(side) >> own & 1 == 1 && self.is_same(own, at));
+        [0, 1, 2]
+            .map(|side| [0, 1, 2].map(|at| if is_end(side, at) { Sign::Zero } else { self.turn(side, at) }))
+    }
+
+    /// Where a corner of the other triangle lies by a side: positive on the inside.
+    fn turn(&self, side: usize, at: usize) -> Sign {
+        let own = &self.seen[self.which];
+        self.sign * turn(own[side], own[(side + 1) % 3], self.seen[1 - self.which][at])
+    }
+
+    fn is_same(&self, own: usize, other: usize) -> bool {
+        let [first, second] = if self.which == 0 { [own, other] } else { [other, own] };
+        self.pair.same[first].is_some_and(|same| usize::from(same) == second)
+    }
 }
 
 /// Whether some side has all corners of the other triangle on its line or outside.

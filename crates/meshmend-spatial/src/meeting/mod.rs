@@ -9,7 +9,7 @@ mod shown;
 
 use meshmend_geometry::vector::Point;
 
-use crate::exact::{Sign, side_of_plane};
+use crate::exact::{Plane, Sign};
 use crate::surface::{Cell, WHOLE};
 
 pub use contact::Contact;
@@ -17,11 +17,13 @@ pub(crate) use shown::shown_point;
 
 /// Two triangles of positive area, and which of their corners are at one position.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pair {
+pub(crate) struct Pair<'a> {
     /// The corners of each.
-    points: [[Point; 3]; 2],
+    points: &'a [[Point; 3]; 2],
     /// For each corner of the first the one of the second at its position.
-    same: [Option<usize>; 3],
+    same: [Option<u8>; 3],
+    /// The corners of each that the other has too.
+    shared: [Cell; 2],
 }
 
 /// Where two triangles meet.
@@ -33,81 +35,90 @@ pub(crate) struct Meeting {
     pub(crate) is_coplanar: bool,
 }
 
-impl Pair {
+impl<'a> Pair<'a> {
     /// Two triangles, the names of whose corners are equal where their positions are.
     #[inline]
-    pub(crate) fn named<N: PartialEq + Copy>(points: [[Point; 3]; 2], [f, g]: [[N; 3]; 2]) -> Self {
-        Pair { points, same: f.map(|name| g.iter().position(|&other| other == name)) }
+    pub(crate) fn named<N: PartialEq + Copy>(points: &'a [[Point; 3]; 2], [f, g]: [[N; 3]; 2]) -> Self {
+        let place = |name: N| match [name == g[0], name == g[1], name == g[2]] {
+            [true, ..] => Some(0),
+            [_, true, _] => Some(1),
+            [.., true] => Some(2),
+            _ => None,
+        };
+        let same = [place(f[0]), place(f[1]), place(f[2])];
+        let mut shared = [0; 2];
+        for (at, other) in same.into_iter().enumerate() {
+            if let Some(other) = other {
+                shared[0] |= 1 << at;
+                shared[1] |= 1 << other;
+            }
+        }
+        Pair { points, same, shared }
     }
 
     /// How the triangles meet; `None` if they are apart.
     ///
     /// *Cost*: constant, up to ten signs in space or twenty in a plane.
+    #[inline]
     pub(crate) fn meeting(&self) -> Option<Meeting> {
-        let shared = self.same.iter().flatten().count();
-        if shared == 3 {
+        if self.is_coincident() {
             return Some(Meeting { cells: [WHOLE; 2], is_coplanar: true });
         }
-        let of_second = self.sides_of_second();
-        if meets_in_shared_alone(of_second, shared) {
+        let of_second = self.sides_of(1);
+        if self.meet_in_shared_alone(of_second) {
             return self.in_shared();
         }
         if of_second == [Sign::Zero; 3] {
             return in_plane::cells(self).map(|cells| Meeting { cells, is_coplanar: true });
         }
-        let of_first = self.swapped().sides_of_second();
-        if meets_in_shared_alone(of_first, shared) {
+        let of_first = self.sides_of(0);
+        if self.meet_in_shared_alone(of_first) {
             return self.in_shared();
         }
         on_line::cells(self, [of_first, of_second]).map(|cells| Meeting { cells, is_coplanar: false })
     }
 
     /// Whether the triangles have the same three corners.
+    #[inline]
     pub(crate) fn is_coincident(&self) -> bool {
-        self.same.iter().all(Option::is_some)
+        self.shared[0] == WHOLE
     }
 
     /// Whether a cell of each is the same corner or the same side.
-    pub(crate) fn is_proper(&self, [f, g]: [Cell; 2]) -> bool {
-        f != WHOLE && self.image(f) == Some(g)
+    #[inline]
+    pub(crate) fn is_proper(&self, cells: [Cell; 2]) -> bool {
+        if cells == self.shared {
+            return cells[0] != WHOLE;
+        }
+        let [f, g] = cells;
+        let corners = (0..3).filter(|at| f >> at & 1 == 1).map(|at| self.same[at]);
+        let image = corners.map(|other| other.map(|at| 1 << at)).sum::<Option<Cell>>();
+        f != WHOLE && image == Some(g)
     }
 
-    /// Triangles in two planes that have their common corners in common and nothing else.
+    /// Triangles that have their common corners in common and nothing else; not in one plane.
     fn in_shared(&self) -> Option<Meeting> {
-        let shared: Cell = (0..3).filter(|&at| self.same[at].is_some()).map(|at| 1 << at).sum();
-        let image = self.image(shared).filter(|&image| image != 0)?;
-        Some(Meeting { cells: [shared, image], is_coplanar: false })
+        (self.shared[0] != 0).then_some(Meeting { cells: self.shared, is_coplanar: false })
     }
 
-    /// The second triangle's cell that has the same corners as one of the first's.
-    fn image(&self, cell: Cell) -> Option<Cell> {
-        let corners = (0..3).filter(|at| cell >> at & 1 == 1).map(|at| self.same[at]);
-        corners.map(|other| other.map(|at| 1 << at)).sum()
+    /// On which side of the other triangle's plane the corners of the first one (0) or the second (1) lie.
+    #[inline]
+    fn sides_of(&self, which: usize) -> [Sign; 3] {
+        let (plane, corners) = (Plane::of(self.points[1 - which]), &self.points[which]);
+        let side = |at: usize| {
+            if self.shared[which] >> at & 1 == 1 { Sign::Zero } else { plane.side(corners[at]) }
+        };
+        [side(0), side(1), side(2)]
     }
 
-    /// The second triangle first.
-    fn swapped(&self) -> Self {
-        let [f, g] = self.points;
-        let same = std::array::from_fn(|at| self.same.iter().position(|&other| other == Some(at)));
-        Pair { points: [g, f], same }
+    /// Whether the triangles have nothing but their common corners in common, as the sides of a plane tell on which one's
+    /// corners lie: then no other corner is on the plane, and none across it.
+    #[inline]
+    fn meet_in_shared_alone(&self, sides: [Sign; 3]) -> bool {
+        let count = |sign: Sign| sides.iter().filter(|&&side| side == sign).count() as u32;
+        let others = 3 - self.shared[0].count_ones();
+        count(Sign::Positive) == others || count(Sign::Negative) == others
     }
-
-    /// On which side of the first triangle's plane the corners of the second lie.
-    fn sides_of_second(&self) -> [Sign; 3] {
-        let [f, g] = self.points;
-        std::array::from_fn(
-            |at| {
-                if self.same.contains(&Some(at)) { Sign::Zero } else { side_of_plane(f, g[at]) }
-            },
-        )
-    }
-}
-
-/// Whether triangles with so many common corners have nothing else in common, as the sides of a plane tell on which one's
-/// corners lie: then no other corner is on the plane, and none across it.
-fn meets_in_shared_alone(sides: [Sign; 3], shared: usize) -> bool {
-    let count = |sign: Sign| sides.iter().filter(|&&side| side == sign).count();
-    count(Sign::Positive) == 3 - shared || count(Sign::Negative) == 3 - shared
 }
 
 #[cfg(test)]

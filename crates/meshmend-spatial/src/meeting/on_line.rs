@@ -26,7 +26,7 @@ struct Trace {
 
 /// The smallest cells that hold what two triangles have in common; `sides` has for each on which side of the other's plane
 /// its corners lie, neither all on it nor all strictly on one side.
-pub(super) fn cells(pair: &Pair, sides: [[Sign; 3]; 2]) -> Option<[Cell; 2]> {
+pub(super) fn cells(pair: &Pair<'_>, sides: [[Sign; 3]; 2]) -> Option<[Cell; 2]> {
     let [f, g] = sides.map(trace);
     let orders = f.ends.map(|one| g.ends.map(|other| order(pair, one, other)));
     let none = |sign: Sign| orders.iter().flatten().all(|&order| order != sign);
@@ -41,13 +41,14 @@ pub(super) fn cells(pair: &Pair, sides: [[Sign; 3]; 2]) -> Option<[Cell; 2]> {
 }
 
 /// Which of two ends comes first along the line of the planes; all questions about one pair of triangles go by one direction.
-fn order(pair: &Pair, one: End, other: End) -> Sign {
-    let are_one = |at: usize| pair.same[at].is_some_and(|same| same == other.above || same == other.below);
+fn order(pair: &Pair<'_>, one: End, other: End) -> Sign {
+    let are_one =
+        |at: usize| pair.same[at].is_some_and(|same| [other.above, other.below].contains(&usize::from(same)));
     if are_one(one.above) || are_one(one.below) {
         // The other end of such a side is off the plane, so that both ends are the shared corner.
         return Sign::Zero;
     }
-    let [f, g] = pair.points;
+    let [f, g] = &pair.points;
     side_of_plane([f[one.above], f[one.below], g[other.above]], g[other.below])
 }
 

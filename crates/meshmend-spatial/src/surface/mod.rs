@@ -93,7 +93,8 @@ impl<'a> Surface<'a> {
     /// The points of a triangle's corners.
     #[inline]
     pub fn points(&self, triangle: &Triangle) -> [Point; 3] {
-        triangle.corners.map(|corner| self.point(corner))
+        let [a, b, c] = triangle.corners;
+        [self.point(a), self.point(b), self.point(c)]
     }
 
     /// The lowest vertex at a vertex's position: equal positions have equal ones.
