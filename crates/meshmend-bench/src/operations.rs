@@ -139,10 +139,12 @@ pub(crate) const OPERATIONS: &[Operation] = &[
         expected: read_whole,
     },
     Operation { expected: read_soup, ..reading("read-stl-ascii", Form::StlAscii) },
+    reading("read-glb", Form::Glb),
     writing("write-ply", Form::PlyBinary),
     writing("write-ply-ascii", Form::PlyAscii),
     writing("write-obj", Form::Obj),
     writing("write-off", Form::Off),
+    writing("write-glb", Form::Glb),
     Operation { expected: read_soup, ..writing("write-stl", Form::StlBinary) },
     Operation { expected: read_soup, ..writing("write-stl-ascii", Form::StlAscii) },
 ];

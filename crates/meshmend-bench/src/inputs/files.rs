@@ -17,11 +17,19 @@ pub(crate) enum Form {
     Off,
     StlBinary,
     StlAscii,
+    Glb,
 }
 
 impl Form {
-    pub(crate) const ALL: [Form; 6] =
-        [Form::PlyBinary, Form::PlyAscii, Form::Obj, Form::Off, Form::StlBinary, Form::StlAscii];
+    pub(crate) const ALL: [Form; 7] = [
+        Form::PlyBinary,
+        Form::PlyAscii,
+        Form::Obj,
+        Form::Off,
+        Form::StlBinary,
+        Form::StlAscii,
+        Form::Glb,
+    ];
 
     /// The end of a file's name.
     pub(crate) fn extension(self) -> &'static str {
@@ -32,6 +40,7 @@ impl Form {
             Form::Off => "off",
             Form::StlBinary => "stl",
             Form::StlAscii => "ascii.stl",
+            Form::Glb => "glb",
         }
     }
 
@@ -44,6 +53,7 @@ impl Form {
             Form::Off => (Format::Off, Encoding::Ascii),
             Form::StlBinary => (Format::Stl, Encoding::LittleEndian),
             Form::StlAscii => (Format::Stl, Encoding::Ascii),
+            Form::Glb => (Format::Glb, Encoding::LittleEndian),
         };
         WriteOptions::of(format).with_encoding(encoding)
     }

@@ -39,9 +39,22 @@ pub(super) fn file_of(document: Document, placing: Placing) -> Result<ReadFile, 
         Placing::Parts => None,
     };
     let placements = placements.unwrap_or_else(|| each_once().collect());
-    let meshes: Vec<&PolygonMesh> = parts.iter().map(|part| &part.mesh).collect();
-    let mesh = placed(&meshes, &placements)?;
+    let mesh = match &placements[..] {
+        [only] if only.matrix == Placement::STILL && only.part < parts.len() => {
+            alone(parts.swap_remove(only.part).mesh, only)?
+        }
+        _ => placed(&parts.iter().map(|part| &part.mesh).collect::<Vec<_>>(), &placements)?,
+    };
     Ok(ReadFile { mesh, format, variant, notes, shell: Shell::of_scene(&shell) })
+}
+
+/// A mesh that stays where it is, with the layers that a mesh of several parts has.
+fn alone(mesh: PolygonMesh, placement: &Placement) -> Result<PolygonMesh, TooMuchPlaced> {
+    let mut layers = MergedLayers::default();
+    layers.add(&mesh, placement, &Elements { before: &|_| 0, corners: None });
+    let layers = layers.finish(|domain| mesh.element_count(domain));
+    let present = mesh.positions().len() as u64 + mesh.faces().corner_count() as u64;
+    mesh.with_layers(layers).map_err(|_| TooMuchPlaced { present, placed: present })
 }
 
 /// Meshes where they are placed, as one.
@@ -161,6 +174,15 @@ mod tests {
         let object = both.layer("object", Domain::Face).unwrap();
         assert_eq!((object.value_of(0), object.value_of(1)), (None, Some(0)));
         assert!(both.layers().iter().all(|layer| layer.role() != Role::Identity));
+    }
+
+    #[test]
+    fn a_mesh_that_stays_where_it_is_is_what_a_placed_one_is() {
+        let placement = Placement::still(0, b"body".to_vec());
+        let moved = placed(&[&triangle()], std::slice::from_ref(&placement)).unwrap();
+        let alone = alone(triangle(), &placement).unwrap();
+        assert_eq!((alone.positions(), alone.faces()), (moved.positions(), moved.faces()));
+        assert_eq!(alone.layers(), moved.layers());
     }
 
     #[test]
