@@ -138,7 +138,16 @@ impl Pass for Weld {
 
     /// 0 if only vertices in one place are joined. *Cost*: linear if the distance is relative, else constant.
     fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
-        match self.distance {
+        self.distance.length_on(mesh)
+    }
+}
+
+impl Distance {
+    /// The length that it is on a mesh; 0 where only positions that are equal in some way are near.
+    ///
+    /// *Cost*: linear if it is relative, else constant.
+    pub fn length_on(self, mesh: &PolygonMesh) -> f64 {
+        match self {
             Distance::Exact | Distance::Single => 0.0,
             Distance::Absolute(epsilon) => epsilon,
             Distance::Relative(part) => part * diagonal(mesh),

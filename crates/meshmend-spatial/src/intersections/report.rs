@@ -10,7 +10,7 @@ use crate::meeting::Contact;
 pub struct IntersectionOptions {
     /// How many pairs of triangles are tested.
     pub budget: Budget,
-    /// How many pairs are listed.
+    /// How many pairs are listed of those that cross or overlap, of those that coincide, and of those that touch.
     pub limit: usize,
 }
 
@@ -34,7 +34,7 @@ impl Default for IntersectionOptions {
 /// The faces of a mesh that intersect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Intersections {
-    /// The pairs that intersect, in order of their faces, up to the limit.
+    /// The pairs that intersect, in order of their faces, up to the limit for each class.
     pub pairs: Vec<FacePair>,
     /// The faces of which two parts of the surface cross, ascending.
     pub self_crossing: Vec<FaceId>,
@@ -60,6 +60,24 @@ pub struct FacePair {
     pub is_coplanar: bool,
     /// A point of both within rounding, if their insides have one in common.
     pub point: Option<Point>,
+}
+
+/// How many pairs of each class are listed: those that cross or overlap, that coincide, and that touch.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Listed([usize; 3]);
+
+impl Listed {
+    /// Counts a pair if there is room for it.
+    pub(super) fn takes(&mut self, contact: Contact, limit: usize) -> bool {
+        let class = match contact {
+            Contact::FaceFace => 0,
+            Contact::Coincident => 1,
+            _ => 2,
+        };
+        let has_room = self.0[class] < limit;
+        self.0[class] += usize::from(has_room);
+        has_room
+    }
 }
 
 /// How many pairs of which kind there are.

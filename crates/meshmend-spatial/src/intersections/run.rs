@@ -8,7 +8,7 @@ use meshmend_core::{FaceId, Id};
 use petgraph::unionfind::UnionFind;
 
 use super::hits::{Coplanar, Hit, hit};
-use super::report::{FacePair, Figures};
+use super::report::{FacePair, Figures, Listed};
 use crate::boxes::{Bounds, BoxTree, Query};
 use crate::meeting::{Contact, shown_point};
 use crate::surface::Surface;
@@ -22,7 +22,7 @@ pub(super) struct Subject<'a> {
     pub(super) tree: BoxTree,
     /// The classes of faces that cross. The order in which they are joined does not matter.
     pub(super) clusters: Mutex<UnionFind<u32>>,
-    /// How many pairs are listed.
+    /// How many pairs of each class are listed.
     pub(super) limit: usize,
 }
 
@@ -32,6 +32,7 @@ pub(super) struct Run {
     pub(super) tests: u64,
     pub(super) figures: Figures,
     pub(super) pairs: Vec<FacePair>,
+    pub(super) listed: Listed,
     pub(super) self_crossing: Vec<FaceId>,
 }
 
@@ -101,8 +102,9 @@ impl Subject<'_> {
                 clusters.union(pair.faces[0], pair.faces[1]);
             });
         }
-        let room = self.limit - run.pairs.len();
-        run.pairs.extend(found.iter().take(room).map(|found| self.listed(found)));
+        let Run { listed, pairs, .. } = run;
+        let there_is_room = |pair: &&Found| listed.takes(pair.contact.0, self.limit);
+        pairs.extend(found.iter().filter(there_is_room).map(|pair| self.listed(pair)));
     }
 
     fn listed(&self, found: &Found) -> FacePair {

@@ -55,8 +55,8 @@ fn add(total: &mut Run, run: Run, limit: usize) {
     total.tests += run.tests;
     total.figures.add_all(&run.figures);
     total.self_crossing.extend(run.self_crossing);
-    let room = limit - total.pairs.len();
-    total.pairs.extend(run.pairs.into_iter().take(room));
+    let listed = &mut total.listed;
+    total.pairs.extend(run.pairs.into_iter().filter(|pair| listed.takes(pair.contact, limit)));
 }
 
 /// The figures with those of the classes of faces that cross.
