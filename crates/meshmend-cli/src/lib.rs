@@ -8,6 +8,7 @@ mod commands;
 mod console;
 mod failure;
 mod format_words;
+mod geometry_words;
 mod output_words;
 mod outputs;
 mod parts;

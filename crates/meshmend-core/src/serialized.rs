@@ -57,6 +57,7 @@ impl Serialize for Defect {
             Detail::BoundaryOnly(answer) => map.serialize_entry("boundary_only", answer)?,
             Detail::Differs(differs) => map.serialize_entry("differs", differs)?,
             Detail::Unjudged(reason) => map.serialize_entry("reason", reason)?,
+            Detail::Word(word) => map.serialize_entry("how", word)?,
         }
         map.serialize_entry("message", &self.to_string())?;
         map.end()
@@ -82,7 +83,9 @@ fn serialize_element<M: SerializeMap>(element: &Element, map: &mut M) -> Result<
             map.serialize_entry("edge", edge)?;
             map.serialize_entry("ends", ends)
         }
-        Element::Face(face) | Element::Patch(face) => map.serialize_entry("face", face),
+        Element::Face(face) | Element::Patch(face) | Element::Component(face) => {
+            map.serialize_entry("face", face)
+        }
         Element::Corner { face, vertex } => {
             map.serialize_entry("face", face)?;
             map.serialize_entry("vertex", vertex)

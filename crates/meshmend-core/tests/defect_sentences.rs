@@ -53,6 +53,13 @@ fn every_defect_says_where_it_is() {
             "the patch of f1, 2 faces in all, encloses no volume",
         ),
         (Defect::turned_cavity(face, 12), "the closed patch of f1, 12 faces in all, is inside another"),
+        (Defect::crossing_faces(FaceId(0), face, "overlap in one plane"), "f0 and f1 overlap in one plane"),
+        (Defect::coincident_faces(face, FaceId(0)), "f1 lies on f0"),
+        (Defect::touching_faces(FaceId(0), face, "edge-face"), "f0 and f1 touch: edge-face"),
+        (Defect::self_crossing_face(face), "f1 crosses itself"),
+        (Defect::t_junction(VertexId(9), edge, ends, true), "v9 lies on e2 v3-v4 (aligned)"),
+        (Defect::zero_area_face(face), "f1 has no area"),
+        (Defect::sliver_face(face, "needle"), "f1 is a needle"),
     ];
     for (defect, text) in cases {
         assert_eq!(defect.to_string(), text);

@@ -11,6 +11,7 @@ use meshmend_repair::{Distance, PassError, Session, Weld};
 use meshmend_topology::TopologyReport;
 use serde::Serialize;
 
+use crate::geometry_questions::GeometryReport;
 use crate::{AnyKernel, CheckOptions, Kernels, View};
 
 /// What a check found.
@@ -45,6 +46,8 @@ pub struct CheckReport {
     asked: Vec<DefectKind>,
     /// What was found by rules that are not meshmend's own.
     own: Vec<(DefectKind, Vec<Defect>)>,
+    /// What was found about where the faces lie, if that was asked.
+    pub geometry: Option<GeometryReport>,
 }
 
 /// How many elements a mesh has as stored, whether anything uses them or not.
@@ -76,14 +79,16 @@ pub struct KernelVerdict {
 /// # Errors
 /// When the kernel can't hold the mesh, or the view's distance is not a finite, non-negative number.
 ///
-/// *Cost*: near-linear, but for shortest witnesses, which cost what
+/// *Cost*: near-linear, with questions about geometry that of [`GeometryReport::of`]; but for shortest witnesses, which cost what
 /// [`one_sided_loops`](meshmend_topology::one_sided_loops) does; one sort of the positions to tell what welding would join.
 pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, PassError> {
     let mut session = Session::begin(mesh);
     let mesh = viewed(&mut session, options.view)?;
     let topology = options.kernel.topology(&mesh.0, options.witness)?;
     let stored = StoredCounts::of(session.stored());
-    Ok(CheckReport::new(options.view, stored, mesh, topology, options.rules, options.kernels))
+    let geometry = options.geometry.map(|asked| GeometryReport::of(&mesh.0, &asked)).transpose()?;
+    let report = CheckReport::new(options.view, stored, mesh, topology, options.rules, options.kernels);
+    Ok(CheckReport { geometry, ..report })
 }
 
 /// Checks the mesh of a session that has just begun, as [`check`] does. A pipeline may go on with the session.
@@ -172,6 +177,7 @@ impl CheckReport {
             rules,
             asked: Vec::new(),
             own,
+            geometry: None,
         };
         report.kernels = kernels.all().map(|kernel| report.verdict(kernel)).collect();
         report
@@ -197,6 +203,7 @@ impl CheckReport {
             (DefectKind::Own(_), _) => self.defects_of_kind(kind).count(),
             (_, Found::InSurvey) => self.topology.defects.count(kind) - self.left_out(kind).len(),
             (_, Found::ByWelding) => self.coincident.len(),
+            (_, Found::ByGeometry) => self.geometry.as_ref().map_or(0, |found| found.count(kind)),
             _ => self.defects_of_kind(kind).count(),
         }
     }
@@ -230,6 +237,10 @@ impl CheckReport {
                 let pairs = self.coincident.iter();
                 Box::new(pairs.map(|&(vertex, original)| Defect::coincident_vertex(vertex, original)))
             }
+            (Found::ByGeometry, _) => match &self.geometry {
+                Some(found) => found.defects(kind, &self.mesh),
+                None => Box::new(iter::empty()),
+            },
             _ => Box::new(iter::empty()),
         }
     }

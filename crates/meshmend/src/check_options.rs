@@ -3,6 +3,7 @@
 use meshmend_core::Rules;
 use meshmend_topology::Witness;
 
+use crate::geometry_questions::GeometryOptions;
 use crate::{AnyKernel, Kernels, View};
 
 /// How to check.
@@ -19,6 +20,8 @@ pub struct CheckOptions {
     pub witness: Witness,
     /// Which kinds of defect are looked for.
     pub rules: Rules,
+    /// What is asked about where the faces lie, if anything is.
+    pub geometry: Option<GeometryOptions>,
 }
 
 impl CheckOptions {
@@ -50,5 +53,11 @@ impl CheckOptions {
     #[must_use]
     pub fn with_rules(self, rules: Rules) -> Self {
         CheckOptions { rules, ..self }
+    }
+
+    /// These options with questions about where the faces lie.
+    #[must_use]
+    pub fn with_geometry(self, geometry: GeometryOptions) -> Self {
+        CheckOptions { geometry: Some(geometry), ..self }
     }
 }

@@ -200,13 +200,14 @@
 //!
 //! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints.
 //!
-//! The parts are whole crates of their own, here under [`mesh`], [`kernels`], [`topology`], [`geometry`], [`passes`],
+//! The parts are whole crates of their own, here under [`mesh`], [`kernels`], [`topology`], [`geometry`], [`spatial`], [`passes`],
 //! [`cutting`], [`edit`], [`formats`] and [`shapes`]; [`matrices`] is a part of [`topology`]. What the main jobs need is also here at
 //! the top. With the feature `flatten` there is `unfold`, which lays a mesh out in the plane.
 
 mod by_name;
 mod check;
 mod check_options;
+mod geometry_questions;
 mod loops;
 mod matrix_questions;
 mod mend;
@@ -227,12 +228,14 @@ pub use meshmend_io as formats;
 pub use meshmend_kernels as kernels;
 pub use meshmend_repair as passes;
 pub use meshmend_shapes as shapes;
+pub use meshmend_spatial as spatial;
 pub use meshmend_topology as topology;
 pub use meshmend_topology::matrices;
 
 pub use by_name::{NamedReport, check_by_name};
 pub use check::{CheckReport, KernelVerdict, StoredCounts, check, check_in};
 pub use check_options::CheckOptions;
+pub use geometry_questions::{GeometryOptions, GeometryReport, Question, Questions};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, PathOptions, cut, loops};
 pub use matrix_questions::{MatrixAnswers, MatrixError, MatrixQuestions, Neighbourhood};
 pub use mend::repair;

@@ -12,6 +12,7 @@ use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
+use crate::geometry_words::GeometryWords;
 use crate::parts::{ByWord, PartWords, PlacingWord};
 use crate::render;
 use crate::streams::{InputWords, as_one_mesh, name};
@@ -37,6 +38,8 @@ pub(crate) struct Check {
     /// The structure to compute on; the answers are the same, unless it can't hold the mesh
     #[arg(long, default_value = "edge-use")]
     kernel: String,
+    #[command(flatten)]
+    geometry: GeometryWords,
     /// Which strip of faces shows that a patch is not orientable
     #[arg(long, value_enum, default_value_t = WitnessWord::BreadthFirst)]
     witness: WitnessWord,
@@ -77,12 +80,15 @@ impl Check {
     pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
         let fail_on: Result<Vec<_>, _> =
             self.fail_on.iter().map(|word| words::defect_kind(program.rules, word)).collect();
+        let fail_on = fail_on?;
         let options = CheckOptions::default()
             .with_kernel(words::any_kernel(program.kernels, &self.kernel)?)
             .with_kernels(program.kernels)
             .with_witness(self.witness.into())
             .with_rules(program.rules);
-        let asked = Asked { options, fail_on: fail_on? };
+        let geometry = self.geometry.options(&fail_on, self.limit)?;
+        let options = geometry.map_or(options, |geometry| options.with_geometry(geometry));
+        let asked = Asked { options, fail_on };
         let (mut status, mut rows) = (Status::Done, Vec::new());
         for (place, file) in self.files.iter().enumerate() {
             if console.is_closed() {

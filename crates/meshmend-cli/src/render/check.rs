@@ -5,6 +5,7 @@ use meshmend::report::{CheckDocument, DefectGroup, PlacedDefect};
 use meshmend::topology::{ComponentKind, Reason, TopologyReport};
 use meshmend::{DefectKind, Distance, Severity};
 
+use super::geometry::geometry;
 use super::table::{self, Align};
 use super::{ABSENT, Style, figure, kinds_with_counts, paragraph, printable, yes_no};
 
@@ -17,6 +18,8 @@ pub(crate) fn check(document: &CheckDocument, style: Style) -> String {
     page.push_str(&paragraph(&style.heading("figures"), figures(&document.topology)));
     page.push_str(&paragraph(&style.heading("verdicts"), verdicts(&document.topology, style)));
     page.push_str(&paragraph(&style.heading("components"), components(document)));
+    let geometry = document.geometry.as_ref().map(geometry).unwrap_or_default();
+    page.push_str(&paragraph(&style.heading("where the faces lie"), geometry));
     page.push_str(&paragraph(&style.heading("what is wrong"), defects(document, Severity::Defect)));
     page.push_str(&paragraph(&style.heading("worth knowing"), defects(document, Severity::Note)));
     page.push_str(&paragraph(&style.heading("kernels"), kernels(document)));

@@ -4,6 +4,7 @@ mod byte_bars;
 mod check;
 mod conversion;
 mod explained_on;
+mod geometry;
 mod glossary;
 mod incremental;
 mod kernel;

@@ -26,6 +26,8 @@ pub enum Element {
     LoosePoint { index: u32, vertex: VertexId },
     /// The patch of a face, which is the lowest one in it.
     Patch(FaceId),
+    /// The component of a face, which is the lowest one in it.
+    Component(FaceId),
     /// A closed strip of faces.
     Strip(Box<Strip>),
 }
@@ -50,6 +52,7 @@ impl Element {
             Element::LooseEdge { .. } => "loose-edge",
             Element::LoosePoint { .. } => "loose-point",
             Element::Patch(_) => "patch",
+            Element::Component(_) => "component",
             Element::Strip(_) => "strip",
         }
     }
@@ -57,7 +60,10 @@ impl Element {
     /// The face that it is, has or begins with.
     pub fn face(&self) -> Option<FaceId> {
         match self {
-            Element::Face(face) | Element::Corner { face, .. } | Element::Patch(face) => Some(*face),
+            Element::Face(face)
+            | Element::Corner { face, .. }
+            | Element::Patch(face)
+            | Element::Component(face) => Some(*face),
             Element::Strip(strip) => strip.faces.first().copied(),
             _ => None,
         }
@@ -97,7 +103,7 @@ impl Element {
                 *vertex = name(*vertex);
             }
             Element::Edge { ends, .. } | Element::LooseEdge { ends, .. } => *ends = ends.map(name),
-            Element::Face(_) | Element::Patch(_) | Element::Strip(_) => {}
+            Element::Face(_) | Element::Patch(_) | Element::Component(_) | Element::Strip(_) => {}
         }
         self
     }
@@ -106,7 +112,10 @@ impl Element {
     #[must_use]
     pub fn with_faces(mut self, name: impl Fn(FaceId) -> FaceId) -> Self {
         match &mut self {
-            Element::Face(face) | Element::Corner { face, .. } | Element::Patch(face) => *face = name(*face),
+            Element::Face(face)
+            | Element::Corner { face, .. }
+            | Element::Patch(face)
+            | Element::Component(face) => *face = name(*face),
             Element::Strip(strip) => strip.faces.iter_mut().for_each(|face| *face = name(*face)),
             Element::Vertex(_)
             | Element::Edge { .. }
@@ -127,6 +136,7 @@ impl fmt::Display for Element {
             Element::LooseEdge { index, .. } => write!(f, "loose edge {index}"),
             Element::LoosePoint { index, .. } => write!(f, "loose point {index}"),
             Element::Patch(face) => write!(f, "the patch of {face}"),
+            Element::Component(face) => write!(f, "the component of {face}"),
             Element::Strip(strip) => {
                 write!(f, "a strip of {}", counted(strip.faces.len(), "face"))?;
                 strip.faces.first().map_or(Ok(()), |first| write!(f, " from {first}"))

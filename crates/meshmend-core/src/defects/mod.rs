@@ -33,6 +33,16 @@ macro_rules! registered_kinds {
             non_orientable_patch NonOrientablePatch
             unjudged_patch UnjudgedPatch
             turned_cavity TurnedCavity
+            inside_out_component InsideOutComponent
+            solid_within SolidWithin
+            no_volume NoVolume
+            crossing_faces CrossingFaces
+            coincident_faces CoincidentFaces
+            touching_faces TouchingFaces
+            self_crossing_face SelfCrossingFace
+            t_junction TJunction
+            zero_area_face ZeroAreaFace
+            sliver_face SliverFace
         }
     };
 }

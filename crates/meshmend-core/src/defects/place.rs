@@ -16,16 +16,18 @@ impl Defect {
 }
 
 impl Element {
-    /// The vertices of the element, at most `most`: all corners of a face, those of a patch's lowest face, and the first
+    /// The vertices of the element, at most `most`: all corners of a face, those of the lowest face of a patch
+    /// or component, and the first
     /// one of each face of a strip.
     pub fn vertices(&self, mesh: &PolygonMesh, most: usize) -> Vec<VertexId> {
         let of_face = |face: FaceId| mesh.faces().face_vertices(face).iter().copied();
         match self {
             Element::Vertex(vertex) | Element::LoosePoint { vertex, .. } => vec![*vertex],
             Element::Edge { ends, .. } | Element::LooseEdge { ends, .. } => ends.to_vec(),
-            Element::Face(face) | Element::Corner { face, .. } | Element::Patch(face) => {
-                of_face(*face).take(most).collect()
-            }
+            Element::Face(face)
+            | Element::Corner { face, .. }
+            | Element::Patch(face)
+            | Element::Component(face) => of_face(*face).take(most).collect(),
             Element::Strip(strip) => {
                 strip.faces.iter().filter_map(|&face| of_face(face).next()).take(most).collect()
             }

@@ -12,6 +12,7 @@ impl fmt::Debug for Found {
             Found::InSurvey => "InSurvey",
             Found::InMesh(_) => "InMesh",
             Found::ByWelding => "ByWelding",
+            Found::ByGeometry => "ByGeometry",
             Found::ByPass => "ByPass",
         })
     }

@@ -40,6 +40,8 @@ pub enum Detail {
     Differs(Differences),
     /// Why a patch was not judged.
     Unjudged(Unjudged),
+    /// How it is, in a word or two.
+    Word(&'static str),
 }
 
 /// Why it can't be told which side of a patch is the outer one.
@@ -118,6 +120,8 @@ pub enum Found {
     InMesh(for<'a> fn(&'a PolygonMesh) -> Defects<'a>),
     /// A comparison of all positions, as an exact weld makes it.
     ByWelding,
+    /// Exact questions about where faces lie, when a check is asked for them.
+    ByGeometry,
     /// A pass of a repair, and nobody else.
     ByPass,
 }

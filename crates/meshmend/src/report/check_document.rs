@@ -6,7 +6,7 @@ use meshmend_repair::Distance;
 use meshmend_topology::TopologyReport;
 use serde::Serialize;
 
-use super::{Listing, PlacedDefect, SCHEMA};
+use super::{GeometryDocument, Listing, PlacedDefect, SCHEMA};
 use crate::{CheckReport, KernelVerdict, StoredCounts};
 
 /// What a check found, with every list cut to a limit. Vertices and faces have the numbers that they have as stored, also in a
@@ -38,6 +38,9 @@ pub struct CheckDocument {
     /// where a mesh was taken apart by the names of its faces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shared_edges: Option<Listing<[VertexId; 2]>>,
+    /// Where the faces lie, if that was asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geometry: Option<GeometryDocument>,
     /// What is wrong, by kind.
     pub defects: Vec<DefectGroup>,
     /// Which kernels hold the mesh.
@@ -64,6 +67,7 @@ impl CheckDocument {
     pub fn new(report: CheckReport, limit: usize) -> Self {
         let group = |kind: DefectKind| DefectGroup::of(&report, kind, limit);
         let defects = report.listed_kinds().map(group).collect();
+        let geometry = GeometryDocument::of(&report, limit);
         let mut topology = report.topology;
         // The list of all defects can be larger than the mesh, and no key of the document is made from it.
         topology.defects = Default::default();
@@ -84,6 +88,7 @@ impl CheckDocument {
             topology,
             component_kinds_total,
             shared_edges: None,
+            geometry,
             defects,
             kernels: report.kernels,
             notes: Vec::new(),

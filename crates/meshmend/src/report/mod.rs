@@ -16,6 +16,7 @@
 //! ```
 
 mod check_document;
+mod geometry_document;
 mod incremental_document;
 mod kernels_document;
 mod listing;
@@ -27,6 +28,9 @@ mod repair_document;
 mod unfold_document;
 
 pub use check_document::{CheckDocument, DefectGroup};
+pub use geometry_document::{
+    ComponentDocument, ContactCounts, GeometryDocument, IntersectionsDocument, LoopCounts, OpenLoopDocument,
+};
 pub use incremental_document::{IncrementalDocument, RunningStep};
 pub use kernels_document::{KernelTrial, KernelsDocument};
 pub use listing::{FacesRound, Listing, MOST_POSITIONS, PlacedDefect};

@@ -1,0 +1,175 @@
+//! Where the faces of a mesh lie: the questions of a check that look at positions, and what they find as defects.
+
+mod questions;
+
+use meshmend_core::{Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, PolygonMesh, VertexId};
+use meshmend_repair::PassError;
+use meshmend_spatial::{
+    Contact, FacePair, IntersectionOptions, Intersections, NestedComponent, Nesting, NestingState, OpenLoop,
+    Shapes, Surface, TJunction, intersections, nesting, open_loops, shapes, t_junctions,
+};
+
+pub use self::questions::{GeometryOptions, Question, Questions};
+
+/// What was found about where the faces of a mesh lie. What was not asked is `None`.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct GeometryReport {
+    /// Which faces cross or touch.
+    pub intersections: Option<Intersections>,
+    /// The vertices on edges.
+    pub t_junctions: Option<Vec<TJunction>>,
+    /// The boundary loops.
+    pub loops: Option<Vec<OpenLoop>>,
+    /// What is inside of what.
+    pub nesting: Option<Nesting>,
+    /// The faces that are too thin.
+    pub shapes: Option<Shapes>,
+}
+
+impl GeometryReport {
+    /// Asks about a mesh.
+    ///
+    /// # Errors
+    /// When the distance is not a finite, non-negative number, or the triangles of the faces have more corners than a table
+    /// holds.
+    ///
+    /// *Cost*: that of [`intersections`], [`t_junctions`], [`open_loops`], [`nesting`] and [`shapes`], as far as they are asked.
+    pub fn of(mesh: &PolygonMesh, options: &GeometryOptions) -> Result<Self, PassError> {
+        let asks = |question| options.questions.contains(question);
+        let mut report = GeometryReport::default();
+        if asks(Question::Crossings) {
+            let surface = Surface::of(mesh)?;
+            let how = IntersectionOptions { budget: options.budget, limit: options.limit };
+            report.intersections = Some(intersections(&surface, how));
+        }
+        if asks(Question::TJunctions) {
+            report.t_junctions = Some(t_junctions(mesh, near(mesh, options)?));
+            report.loops = Some(open_loops(&EdgeUse::build(mesh.complex())?, mesh));
+        }
+        if asks(Question::Nesting) {
+            report.nesting = Some(nesting(mesh)?);
+        }
+        if asks(Question::Shape) {
+            report.shapes = Some(shapes(mesh, options.aspect));
+        }
+        Ok(report)
+    }
+
+    /// How many defects of a kind were found. Of pairs of faces, where the search stopped at its budget, how many are listed.
+    pub fn count(&self, kind: DefectKind) -> usize {
+        let figures = self.intersections.as_ref().and_then(|found| found.figures.as_ref());
+        let of = |contact| figures.map(|figures| figures.count(contact) as usize);
+        let pairs = match kind {
+            DefectKind::CrossingFaces => of(Contact::FaceFace),
+            DefectKind::CoincidentFaces => of(Contact::Coincident),
+            DefectKind::TouchingFaces => TOUCHING.iter().map(|&contact| of(contact)).sum(),
+            _ => None,
+        };
+        pairs.unwrap_or_else(|| self.placeless(kind).count())
+    }
+
+    /// The defects of a kind, by ascending ids; of pairs of faces those that are listed.
+    pub fn defects<'a>(&'a self, kind: DefectKind, mesh: &'a PolygonMesh) -> Defects<'a> {
+        match kind {
+            DefectKind::TJunction => {
+                let found = self.t_junctions.iter().flatten();
+                Box::new(found.map(|junction| placed(junction, mesh)))
+            }
+            _ => self.placeless(kind),
+        }
+    }
+
+    /// The defects of a kind, T-junctions without their edges.
+    fn placeless(&self, kind: DefectKind) -> Defects<'_> {
+        let pairs = |is_of: fn(Contact) -> bool| {
+            let all = self.intersections.iter().flat_map(|found| &found.pairs);
+            all.filter(move |pair| is_of(pair.contact))
+        };
+        let components = |state| {
+            let all = self.nesting.iter().flat_map(|nesting| &nesting.components);
+            all.filter(move |component| component.state == Some(state))
+        };
+        match kind {
+            DefectKind::CrossingFaces => Box::new(pairs(|c| c == Contact::FaceFace).map(crossing)),
+            DefectKind::CoincidentFaces => Box::new(pairs(|c| c == Contact::Coincident).map(coincident)),
+            DefectKind::TouchingFaces => Box::new(pairs(|c| TOUCHING.contains(&c)).map(touching)),
+            DefectKind::SelfCrossingFace => {
+                let faces = self.intersections.iter().flat_map(|found| &found.self_crossing);
+                Box::new(faces.map(|&face| Defect::self_crossing_face(face)))
+            }
+            DefectKind::TJunction => {
+                let found = self.t_junctions.iter().flatten();
+                Box::new(found.map(move |junction| Defect::new(kind, Element::Vertex(junction.vertex))))
+            }
+            DefectKind::InsideOutComponent => {
+                Box::new(components(NestingState::InsideOut).map(of_component(Defect::inside_out_component)))
+            }
+            DefectKind::SolidWithin => {
+                Box::new(components(NestingState::SolidWithin).map(of_component(Defect::solid_within)))
+            }
+            DefectKind::NoVolume => {
+                Box::new(components(NestingState::NoVolume).map(of_component(Defect::no_volume)))
+            }
+            DefectKind::ZeroAreaFace => {
+                let faces = self.shapes.iter().flat_map(|shapes| &shapes.zero_area);
+                Box::new(faces.map(|&face| Defect::zero_area_face(face)))
+            }
+            DefectKind::SliverFace => {
+                let slivers = self.shapes.iter().flat_map(|shapes| &shapes.slivers);
+                Box::new(slivers.map(|sliver| Defect::sliver_face(sliver.face, sliver.kind.name())))
+            }
+            _ => Box::new(std::iter::empty()),
+        }
+    }
+}
+
+/// The contacts of faces that touch.
+const TOUCHING: [Contact; 4] =
+    [Contact::VertexEdge, Contact::VertexFace, Contact::EdgeEdge, Contact::EdgeFace];
+
+fn crossing(pair: &FacePair) -> Defect {
+    let [one, other] = pair.faces;
+    let how = if pair.is_coplanar { "overlap in one plane" } else { "pass through one another" };
+    Defect::crossing_faces(one, other, how)
+}
+
+fn coincident(pair: &FacePair) -> Defect {
+    // The higher face is named beside the one before it, as duplicates are.
+    Defect::coincident_faces(pair.faces[1], pair.faces[0])
+}
+
+fn touching(pair: &FacePair) -> Defect {
+    Defect::touching_faces(pair.faces[0], pair.faces[1], pair.contact.name())
+}
+
+fn of_component(defect: fn(FaceId, u32) -> Defect) -> impl Fn(&NestedComponent) -> Defect {
+    move |component| defect(component.lowest_face, component.faces)
+}
+
+/// A T-junction with the edge that the mesh has there.
+fn placed(junction: &TJunction, mesh: &PolygonMesh) -> Defect {
+    let place = |vertex: VertexId| mesh.position(vertex);
+    let ends = junction.ends.map(place);
+    let (faces, edges) = (mesh.faces(), mesh.complex().edges());
+    let side = faces.face_corners(junction.face).map(|corner| edges.corner_edge(corner));
+    let is_there = |edge: &_| {
+        let [one, other] = edges.ends(*edge).map(place);
+        [one, other] == ends || [other, one] == ends
+    };
+    let mut found = side.filter(is_there);
+    match found.next() {
+        Some(edge) => Defect::t_junction(junction.vertex, edge, edges.ends(edge), junction.is_aligned),
+        None => Defect::new(DefectKind::TJunction, Element::Vertex(junction.vertex)),
+    }
+}
+
+/// The distance from which on a vertex is on an edge.
+fn near(mesh: &PolygonMesh, options: &GeometryOptions) -> Result<f64, PassError> {
+    let near = options.near.length_on(mesh);
+    if near.is_finite() && near >= 0.0 {
+        return Ok(near);
+    }
+    let reason = format!("{near} is not a distance from which on a vertex is on an edge");
+    Err(PassError::Request { pass: "geometry", reason })
+}
