@@ -7,12 +7,14 @@
 //! * [`boxes`]: a tree that finds which boxes overlap.
 //! * [`Surface`]: the faces of a mesh as triangles, corners known by their positions.
 //! * [`nesting`] tells what is inside of what, and what is inside out; [`passage`] how a ray passes a triangle.
+//! * [`internal_faces`] finds the faces inside of what closed components enclose.
 //! * Open places: [`t_junctions`] finds vertices on edges, [`open_loops`] tells holes from the rims of sheets.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
 //!   [`is_straight`] points.
 
 pub mod boxes;
 pub mod exact;
+mod internal;
 mod intersections;
 mod meeting;
 mod nesting;
@@ -22,6 +24,7 @@ mod surface;
 mod t_junctions;
 mod unit;
 
+pub use internal::{InternalFaces, internal_faces};
 pub use intersections::{
     Budget, CrossingSearch, FacePair, Figures, IntersectionOptions, Intersections, do_cross, intersections,
 };

@@ -4,6 +4,7 @@
 //! where no product can under- or overflow; else whole numbers of any size, the coordinates times a common power of two.
 //! Coordinates that are not finite get some answer.
 
+mod centroid;
 pub(crate) mod integers;
 mod lines;
 pub(crate) mod nearest;
@@ -11,6 +12,7 @@ mod sides;
 mod sign;
 mod volume;
 
+pub use centroid::Centroid;
 pub use lines::{are_collinear, are_in_same_half_plane, compare_along, projection_of};
 pub use sides::{Axis, Plane, side_of_plane, turn, turn_along};
 pub use sign::Sign;

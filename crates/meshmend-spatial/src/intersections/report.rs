@@ -1,6 +1,6 @@
 //! What a search for intersections gives, and what it may cost.
 
-use meshmend_core::FaceId;
+use meshmend_core::{Column, FaceId};
 use meshmend_geometry::vector::Point;
 
 use crate::meeting::Contact;
@@ -36,6 +36,8 @@ impl Default for IntersectionOptions {
 pub struct Intersections {
     /// The pairs that intersect, in order of their faces, up to the limit for each class.
     pub pairs: Vec<FacePair>,
+    /// For each face the greatest contact of all its pairs, listed or not.
+    pub contacts: Column<FaceId, Option<Contact>>,
     /// The faces of which two parts of the surface cross, ascending.
     pub self_crossing: Vec<FaceId>,
     /// The figures of all pairs; `None` if the search stopped before the last face.

@@ -2,9 +2,10 @@
 
 use std::cmp::Reverse;
 use std::ops::Range;
+use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use meshmend_core::{FaceId, Id};
+use meshmend_core::{Column, FaceId, Id};
 use petgraph::unionfind::UnionFind;
 
 use super::hits::{Coplanar, Hit, hit};
@@ -22,8 +23,26 @@ pub(super) struct Subject<'a> {
     pub(super) tree: BoxTree,
     /// The classes of faces that cross. The order in which they are joined does not matter.
     pub(super) clusters: Mutex<UnionFind<u32>>,
+    /// For each face the greatest of its contacts.
+    pub(super) contacts: Column<FaceId, Greatest>,
     /// How many pairs of each class are listed.
     pub(super) limit: usize,
+}
+
+/// The greatest of some contacts, in whichever order they come: its place among all and one, or 0 without any.
+#[derive(Default)]
+pub(super) struct Greatest(AtomicU8);
+
+impl Greatest {
+    fn add(&self, contact: Contact) {
+        self.0.fetch_max(contact as u8 + 1, Ordering::Relaxed);
+    }
+
+    /// The greatest contact.
+    pub(super) fn get(&self) -> Option<Contact> {
+        let place = usize::from(self.0.load(Ordering::Relaxed)).checked_sub(1)?;
+        Contact::ALL.get(place).copied()
+    }
 }
 
 /// What was found in a run of faces.
@@ -94,6 +113,7 @@ impl Subject<'_> {
     fn report(&self, found: &[Found], run: &mut Run) {
         for pair in found {
             run.figures.add(pair.contact.0, pair.coplanar == Coplanar::Yes);
+            pair.faces.iter().for_each(|&face| self.contacts[FaceId(face)].add(pair.contact.0));
         }
         let crossing = || found.iter().filter(|pair| pair.contact.0 == Contact::FaceFace);
         if crossing().next().is_some() {

@@ -7,7 +7,7 @@ use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
 use super::report::{Figures, IntersectionOptions, Intersections};
-use super::run::{Run, Subject};
+use super::run::{Greatest, Run, Subject};
 use crate::boxes::{Bounds, BoxTree};
 use crate::surface::Surface;
 
@@ -25,7 +25,8 @@ pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Int
     let tree = BoxTree::over(all.len(), |at| Bounds::of(surface.points(&all[at])));
     let faces = surface.mesh().counts().faces;
     let clusters = Mutex::new(UnionFind::new(faces));
-    let subject = Subject { surface, tree, clusters, limit: options.limit };
+    let contacts = (0..faces).map(|_| Greatest::default()).collect();
+    let subject = Subject { surface, tree, clusters, contacts, limit: options.limit };
     let mut total = Run::default();
     let (budget, runs) = (options.budget.tests(faces), faces.div_ceil(RUN));
     let mut done = 0;
@@ -43,6 +44,7 @@ pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Int
     let is_complete = done == runs;
     Intersections {
         pairs: total.pairs,
+        contacts: subject.contacts.values().iter().map(Greatest::get).collect(),
         self_crossing: total.self_crossing,
         figures: is_complete.then(|| joined(total.figures, subject.clusters)),
         complete_to: (!is_complete).then(|| FaceId::new(done * RUN - 1)),
