@@ -21,15 +21,8 @@ pub(crate) enum Form {
 }
 
 impl Form {
-    pub(crate) const ALL: [Form; 7] = [
-        Form::PlyBinary,
-        Form::PlyAscii,
-        Form::Obj,
-        Form::Off,
-        Form::StlBinary,
-        Form::StlAscii,
-        Form::Glb,
-    ];
+    pub(crate) const ALL: [Form; 7] =
+        [Form::PlyBinary, Form::PlyAscii, Form::Obj, Form::Off, Form::StlBinary, Form::StlAscii, Form::Glb];
 
     /// The end of a file's name.
     pub(crate) fn extension(self) -> &'static str {
