@@ -66,7 +66,8 @@ fn what_is_inside_out_is_named_and_what_was_not_searched_to_its_end_has_no_figur
 #[test]
 fn a_vertex_on_an_edge_is_a_t_junction_from_a_distance_on() {
     let folder = Folder::new();
-    let text = "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 0.01 0\nv 0 -1 0\nv 2 -1 0\nf 1 2 3\nf 1 5 4\nf 4 5 6\nf 4 6 2\n";
+    let text =
+        "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 0.01 0\nv 0 -1 0\nv 2 -1 0\nf 1 2 3\nf 1 5 4\nf 4 5 6\nf 4 6 2\n";
     let file = folder.with("crack.obj", text);
     let count = |arguments: &[&str]| {
         let document = json_of(&[&["check", "--geometry=t-junctions", &file], arguments].concat());
