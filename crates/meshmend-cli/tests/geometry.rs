@@ -1,5 +1,7 @@
 //! `meshmend check --geometry`, as a user runs it.
 
+#![allow(clippy::unwrap_used, reason = "output that is not as expected is a failed test")]
+
 mod common;
 
 use common::{Folder, group, meshmend};

@@ -12,6 +12,9 @@ use serde::Serialize;
 use super::Listing;
 use crate::CheckReport;
 
+/// A vertex, the ends of an edge on which it lies, how far it is from it, and whether it is aligned with it.
+type TJunctionRow = (VertexId, VertexId, VertexId, f64, bool);
+
 /// The answers about where the faces lie; what was not asked is absent. Every list is cut to a limit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct GeometryDocument {
@@ -20,7 +23,7 @@ pub struct GeometryDocument {
     pub intersections: Option<IntersectionsDocument>,
     /// The vertices on edges: vertex, the two ends, distance, and whether they are aligned.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub t_junctions: Option<Listing<(VertexId, VertexId, VertexId, f64, bool)>>,
+    pub t_junctions: Option<Listing<TJunctionRow>>,
     /// The boundary loops.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loops: Option<Vec<OpenLoopDocument>>,
