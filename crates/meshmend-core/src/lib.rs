@@ -39,7 +39,7 @@ mod words;
 pub use attributes::{
     Aspect, Carry, Differences, Domain, FlippedNormals, Layer, NO_VALUE, Role, Values, turned_normals,
 };
-pub use changes::{Blend, Draft, DraftError, Loose, Provenance, Sources, VertexDraft};
+pub use changes::{Blend, Draft, DraftError, FilledHole, Loose, Provenance, Sources, VertexDraft};
 pub use classes::{Classes, Joined, SidedClasses};
 pub use column::Column;
 pub use defects::{

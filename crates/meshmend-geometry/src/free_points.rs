@@ -73,6 +73,21 @@ impl FreePoints {
         (self.beside_middle(middle, shortest_axis(extent)), (1, 2))
     }
 
+    /// The mean of some points, or the first free point beside it along the axis in which they are least extended; it is then
+    /// taken.
+    pub fn amid(&mut self, points: &[Point]) -> Point {
+        let middle = self.spacing.precision.round(mean(points));
+        if is_finite(&middle) && self.taken.is_free(middle, &mut [None; 2]) {
+            self.taken.insert(middle);
+            return middle;
+        }
+        let extent = std::array::from_fn(|axis| {
+            let along = || points.iter().map(|point| point[axis]);
+            along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+        });
+        self.beside_middle(mean(points), shortest_axis(extent))
+    }
+
     /// Whether some point on an edge is free.
     pub fn is_room_on_edge(&self, ends: [Point; 2]) -> bool {
         self.first_free(ends).is_some()
@@ -260,6 +275,14 @@ mod tests {
         let ends = [[-f64::MAX, 0.0, 0.0], [f64::MAX, 0.0, 0.0]];
         let mut free = beside(Spacing::default(), &ends);
         assert_eq!(free.on_edge(ends).0, [0.0, f64::from_bits(1), 0.0]);
+    }
+
+    #[test]
+    fn amid_points_is_their_mean_or_beside_it_where_they_are_flat() {
+        let square = [[0.0; 3], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
+        let mut free = beside(Spacing::default(), &square);
+        let tiny = f64::from_bits(1);
+        assert_eq!([(); 3].map(|()| free.amid(&square)), [0.0, tiny, -tiny].map(|z| [1.0, 1.0, z]));
     }
 
     #[test]

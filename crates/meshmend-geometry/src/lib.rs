@@ -28,3 +28,4 @@ pub use face_cutter::{FaceCutter, OnDiagonal, Room};
 pub use free_points::{FreePoints, Spacing};
 pub use precision::Precision;
 pub use signed_volume::SignedVolume;
+pub use taken::Edges;

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use meshmend_core::{Id, VertexId};
 
 /// Edges, each found among those of its smaller end.
-pub(crate) struct Edges<'a> {
+pub struct Edges<'a> {
     /// The smaller end first; sorted.
     ends: Cow<'a, [[VertexId; 2]]>,
     /// For each vertex where the edges begin whose smaller end it is, and one more.
@@ -14,8 +14,10 @@ pub(crate) struct Edges<'a> {
 }
 
 impl<'a> Edges<'a> {
+    /// Edges by their ends, the smaller end first; sorted.
+    ///
     /// *Cost*: linear.
-    pub(crate) fn new(ends: Cow<'a, [[VertexId; 2]]>, vertex_count: usize) -> Self {
+    pub fn new(ends: Cow<'a, [[VertexId; 2]]>, vertex_count: usize) -> Self {
         let mut starts = Vec::with_capacity(vertex_count + 1);
         for (at, edge) in ends.iter().enumerate() {
             while starts.len() <= edge[0].index() {
@@ -30,7 +32,7 @@ impl<'a> Edges<'a> {
     ///
     /// *Cost*: O(log d) for d edges of the smaller end.
     #[inline]
-    pub(crate) fn contains(&self, [smaller, larger]: [VertexId; 2]) -> bool {
+    pub fn contains(&self, [smaller, larger]: [VertexId; 2]) -> bool {
         let of_smaller = self.starts[smaller.index()] as usize..self.starts[smaller.index() + 1] as usize;
         self.ends[of_smaller].binary_search_by_key(&larger, |edge| edge[1]).is_ok()
     }

@@ -1,6 +1,7 @@
 //! What passes that create vertices keep clear of.
 
-use meshmend_geometry::{Precision, Spacing};
+use meshmend_core::{Id, PolygonMesh};
+use meshmend_geometry::{FreePoints, Precision, Spacing};
 
 /// What a pass that creates vertices keeps clear of, so that they are there when the result is read again.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -41,5 +42,16 @@ impl Clearance {
     /// How far a created vertex has to be from all others.
     pub(crate) fn spacing(&self) -> Spacing {
         Spacing { precision: self.precision, apart: self.apart, tolerance: self.tolerance }
+    }
+
+    /// Where there is room beside the vertices of a mesh.
+    ///
+    /// *Cost*: O(n log n).
+    pub(crate) fn free_points(&self, mesh: &PolygonMesh) -> FreePoints {
+        let mut is_used = vec![false; mesh.counts().vertices];
+        mesh.faces().corner_vertices().iter().for_each(|v| is_used[v.index()] = true);
+        let is_in_result = |v: usize| self.unused == Unused::Kept || is_used[v];
+        let vertices = mesh.positions().iter().enumerate().filter(|(v, _)| is_in_result(*v));
+        FreePoints::beside(self.spacing(), vertices.map(|(_, &position)| position))
     }
 }

@@ -14,7 +14,7 @@ use meshmend_topology::{TopologyReport, Witness, topology_with};
 use thiserror::Error;
 
 use crate::sewing::KeptSewing;
-use crate::{Clearance, Emptied, FaceStorage, Fixed, PassKind, SeamFigures, TellingLayers};
+use crate::{Clearance, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures, TellingLayers};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
 pub trait Pass: Any + fmt::Debug + Send + Sync {
@@ -71,13 +71,15 @@ pub struct Outcome {
     pub seam: Option<SeamFigures>,
     /// The faces that went as repeats of others although they differ from them, by ids of the mesh before.
     pub differed: Vec<(FaceId, Differences)>,
+    /// What became of each boundary loop, where the pass judged them, by lowest vertex.
+    pub loops: Vec<LoopRecord>,
 }
 
 impl Outcome {
     /// The outcome of a pass that made a new mesh, where each of its elements came from, and what that fixed.
     /// [`PolygonMesh::rebuild`] gives the first two.
     pub fn changed((mesh, provenance): (PolygonMesh, Provenance), fixed: impl Into<Fixed>) -> Self {
-        Outcome { mesh, provenance, fixed: fixed.into(), left: Vec::new(), seam: None, differed: Vec::new() }
+        Outcome { provenance, fixed: fixed.into(), ..Outcome::unchanged(&mesh) }
     }
 
     /// The outcome of a pass that had nothing to do. *Cost*: O(1).
@@ -89,6 +91,7 @@ impl Outcome {
             left: Vec::new(),
             seam: None,
             differed: Vec::new(),
+            loops: Vec::new(),
         }
     }
 }

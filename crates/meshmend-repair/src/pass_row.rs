@@ -47,6 +47,10 @@ pub enum OptionValues {
     Words(&'static [Word]),
     /// A [`Distance`](crate::Distance).
     Distance,
+    /// [`FillLoops`](crate::FillLoops).
+    Limits,
+    /// It has no word; a plan has this one where it is given.
+    Flag(&'static str),
 }
 
 /// A word of the command line.

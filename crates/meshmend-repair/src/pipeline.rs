@@ -13,9 +13,9 @@ pub use self::storage::{FaceStorage, Writing};
 use crate::figures::Figures;
 use crate::session::Aim;
 use crate::{
-    AnyPass, Clearance, Compact, Distance, Emptied, Emptying, Fixed, Looked, NonOrientable, Orient, Pass,
-    PassError, PassKind, Plan, Precision, Repeated, SeamFigures, Seams, Session, Side, Subdivision, Unused,
-    Weld,
+    AnyPass, Clearance, Compact, Distance, Emptied, Emptying, Fixed, Looked, LoopRecord, NonOrientable,
+    Orient, Pass, PassError, PassKind, Plan, Precision, Repeated, SeamFigures, Seams, Session, Side,
+    Subdivision, Unused, Weld,
 };
 
 /// Passes in order, with their options.
@@ -62,6 +62,8 @@ pub struct Repaired {
     pub passes: Vec<PassRecord>,
     /// Each stored face of which nothing is left, with the reason, ascending.
     pub removed_faces: Vec<RemovedFace>,
+    /// Each face of the result that has no source, with the pass that created it, ascending.
+    pub created_faces: Vec<(FaceId, PassKind)>,
     /// How many stored normals turned with their faces: one a corner, or one a face where they are those of faces.
     pub turned_normals: usize,
     /// What rounding all positions did before the first pass, where the result's precision made it necessary.
@@ -101,6 +103,8 @@ pub struct PassRecord {
     pub figures: Option<[Figures; 2]>,
     /// What cutting non-orientable patches open took, where it did.
     pub seam: Option<SeamFigures>,
+    /// What became of each boundary loop, where the pass judged them, by lowest vertex.
+    pub loops: Vec<LoopRecord>,
     /// How the pass came to know the topology of the mesh, if it uses that.
     pub looked: Option<Looked>,
 }

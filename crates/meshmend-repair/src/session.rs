@@ -60,6 +60,8 @@ pub struct Session<'a> {
     /// Where the records of the last round begin.
     round: usize,
     removed_faces: Vec<RemovedFace>,
+    /// Each face of the mesh that has no source, with the pass that created it, ascending.
+    created_faces: Vec<(FaceId, PassKind)>,
     rounding: Option<Rounding>,
     /// The largest tolerance within which vertices were joined.
     tolerance: f64,
@@ -116,6 +118,7 @@ impl<'a> Session<'a> {
             records: Vec::new(),
             round: 0,
             removed_faces: Vec::new(),
+            created_faces: Vec::new(),
             rounding: None,
             tolerance: 0.0,
             figures: Vec::new(),
@@ -261,6 +264,7 @@ impl<'a> Session<'a> {
         if is_changed {
             let removed = self.removed_by(kind, &outcome)?;
             self.removed_faces.extend(removed);
+            self.created_faces = created_faces(&self.created_faces, &outcome.provenance, kind);
             self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
             self.since_moved = if kind.is_own() && moves(&self.mesh, &outcome) {
                 Some(History::begin(&outcome.mesh))
@@ -281,6 +285,7 @@ impl<'a> Session<'a> {
             left: outcome.left,
             figures: None,
             seam: outcome.seam,
+            loops: outcome.loops,
             looked,
         });
         Ok(&self.records[self.records.len() - 1])
@@ -333,6 +338,11 @@ impl<'a> Session<'a> {
             Some(RemovedFace { face: history.provenance().faces.of(removed.face)?, ..removed })
         };
         self.removed_faces.extend(next.removed_faces.into_iter().filter_map(as_stored));
+        let read_again = carried(&self.created_faces, reading);
+        let mut created = carried(&read_again, next.history.provenance());
+        created.extend(&next.created_faces);
+        created.sort_unstable_by_key(|(face, _)| *face);
+        self.created_faces = created;
         self.history = history.extended(next.history.provenance(), &next.mesh);
         self.round = self.records.len();
         self.tolerance = self.tolerance.max(next.tolerance);
@@ -374,6 +384,29 @@ impl<'a> Session<'a> {
         }
         Ok(removed)
     }
+}
+
+/// The faces without a source after a change by a pass, when these had none before it.
+fn created_faces(
+    before: &[(FaceId, PassKind)],
+    change: &Provenance,
+    pass: PassKind,
+) -> Vec<(FaceId, PassKind)> {
+    let new = change.faces.iter().filter(|(_, old)| old.is_none()).map(|(face, _)| (face, pass));
+    let mut created: Vec<(FaceId, PassKind)> =
+        if change.faces.is_same() { Vec::new() } else { new.collect() };
+    created.extend(carried(before, change));
+    created.sort_unstable_by_key(|(face, _)| *face);
+    created
+}
+
+/// Some faces with what is said of them, by their ids after a change.
+fn carried(faces: &[(FaceId, PassKind)], change: &Provenance) -> Vec<(FaceId, PassKind)> {
+    if faces.is_empty() {
+        return Vec::new();
+    }
+    let said = |old: FaceId| faces.binary_search_by_key(&old, |(face, _)| *face).ok().map(|at| faces[at].1);
+    change.faces.iter().filter_map(|(face, old)| Some((face, said(old?)?))).collect()
 }
 
 /// Whether a vertex is elsewhere than it was in the mesh before.

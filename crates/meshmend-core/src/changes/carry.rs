@@ -1,6 +1,7 @@
 //! How attribute layers are carried along by a change.
 
 use crate::attributes::turning::{Turned, turned};
+use crate::changes::filled::{give_agreed_values, name_faces};
 use crate::changes::influences::blend_influences;
 use crate::{CornerId, Domain, Draft, FaceTable, FlippedNormals, Id, Layer, NO_VALUE, PolygonMesh};
 
@@ -18,11 +19,13 @@ impl PolygonMesh {
         match layer.domain() {
             Domain::Face if draft.face_sources.is_all_of(self.counts().faces) => layer.clone(),
             Domain::Face => {
-                let uses = draft
+                let old = draft
                     .face_sources
                     .iter()
                     .map(|(_, old)| old.map_or(NO_VALUE, |f| layer.element_use(f.index())));
-                layer.with_uses(Domain::Face, uses.collect())
+                let mut uses: Vec<u32> = old.collect();
+                name_faces(layer, draft, &mut uses);
+                layer.with_uses(Domain::Face, uses)
             }
             Domain::Vertex if draft.vertex_sources.is_all_of(self.counts().vertices) => layer.clone(),
             Domain::Vertex => self.carried_vertex_layer(layer, draft),
@@ -87,6 +90,7 @@ impl PolygonMesh {
                 parts.iter().map(|&(c, weight)| (layer.element_use(c.index()), weight)).collect();
             uses[corner.index()] = layer.blended(&parts);
         }
+        give_agreed_values(&layer, draft, &mut uses);
         if layer.home() != Domain::Vertex {
             layer.pool_created(first, &mut uses);
             return layer.with_uses(Domain::Corner, uses);

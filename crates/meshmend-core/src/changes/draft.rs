@@ -7,8 +7,8 @@
 use thiserror::Error;
 
 use crate::{
-    Blend, CornerId, FaceId, FaceTable, FaceTableError, FlippedNormals, MeshError, PolygonMesh, Sources,
-    VertexId, counted,
+    Blend, CornerId, FaceId, FaceTable, FaceTableError, FilledHole, FlippedNormals, MeshError, PolygonMesh,
+    Sources, VertexId, counted,
 };
 
 /// A vertex that a pass creates.
@@ -39,6 +39,8 @@ pub struct Draft {
     pub created_vertices: Vec<VertexDraft>,
     /// The created corners with the old corners that they lie between, ascending.
     pub created_corners: Vec<(CornerId, Blend)>,
+    /// The holes that new faces fill.
+    pub filled: Vec<FilledHole>,
     /// For each old vertex the new one that loose elements use instead, where that is not the first new vertex
     /// whose source it is.
     pub merged_into: Option<Vec<VertexId>>,
@@ -99,6 +101,7 @@ impl Draft {
             kept_positions: None,
             created_vertices: Vec::new(),
             created_corners: Vec::new(),
+            filled: Vec::new(),
             merged_into: None,
             drop_loose: Loose::default(),
             flipped_normals: FlippedNormals::default(),

@@ -4,6 +4,7 @@ mod anchors;
 mod blend;
 mod carry;
 mod draft;
+mod filled;
 mod influences;
 mod provenance;
 mod rebuild;
@@ -12,6 +13,7 @@ mod sources;
 
 pub use blend::Blend;
 pub use draft::{Draft, DraftError, Loose, VertexDraft};
+pub use filled::FilledHole;
 pub use provenance::Provenance;
 pub use sources::Sources;
 

@@ -123,9 +123,12 @@ macro_rules! passes {
                 Ok(())
             }
 
-            /// Writes the options of meshmend's own passes.
+            /// Writes the options of meshmend's own passes, but for those of passes that do not run unasked and have none of
+            /// their own.
             pub(crate) fn write_builtin<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
-                $(map.serialize_entry(stringify!($file), &self.$file)?;)*
+                $(if self.says(PassKind::$variant) || self.$file != $variant::default() {
+                    map.serialize_entry(stringify!($file), &self.$file)?;
+                })*
                 Ok(())
             }
         }
@@ -137,6 +140,7 @@ passes! {
     clean: Clean, NonFinite, Repeated;
     orient: Orient, Duplicates, NonOrientable, Side;
     split: Split, SeamFigures, Seams, SplitEdges;
+    fill: Crossed, Fill, FillCrossing, FillCrossings, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord, Reach;
     triangulate: Triangulate, TriangulateFaces;
     compact: Compact, LooseElements;
     verify: Verify;
@@ -144,6 +148,13 @@ passes! {
 
 /// What `verify` was called before. Plans may still say so.
 const FORMER_VERIFY: &str = "recompute";
+
+impl Plan {
+    /// Whether a plan has a table for a pass although all its options are the defaults.
+    fn says(&self, kind: PassKind) -> bool {
+        kind.row().is_default || self.passes.contains(&kind)
+    }
+}
 
 impl PassKind {
     /// One of meshmend's own passes by its name.

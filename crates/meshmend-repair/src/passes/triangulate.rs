@@ -21,7 +21,7 @@ use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Clearance, Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Unused,
+    Clearance, Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow,
     Word,
 };
 use meshmend_geometry::coincident::coincident_vertices;
@@ -127,13 +127,7 @@ struct BesideMesh<'a> {
 impl BesideMesh<'_> {
     fn free(&mut self) -> &mut FreePoints {
         let (mesh, clearance) = (self.mesh, self.clearance);
-        self.free.get_or_insert_with(|| {
-            let mut is_used = vec![false; mesh.counts().vertices];
-            mesh.faces().corner_vertices().iter().for_each(|v| is_used[v.index()] = true);
-            let is_in_result = |v: usize| clearance.unused == Unused::Kept || is_used[v];
-            let vertices = mesh.positions().iter().enumerate().filter(|(v, _)| is_in_result(*v));
-            FreePoints::beside(clearance.spacing(), vertices.map(|(_, &position)| position))
-        })
+        self.free.get_or_insert_with(|| clearance.free_points(mesh))
     }
 }
 

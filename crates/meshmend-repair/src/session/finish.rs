@@ -35,16 +35,27 @@ impl Session<'_> {
         removed_faces.sort_by_key(|removed| removed.face);
         removed_faces.dedup_by_key(|removed| removed.face);
         let turned_normals = turned_normals(self.history.stored(), &self.mesh, &provenance);
-        let Session { mut mesh, records: mut passes, rounding, topology, .. } = self;
+        let Session { mut mesh, records: mut passes, rounding, topology, mut created_faces, .. } = self;
         let mut provenance = provenance;
         if is_same {
             forget_changes(&mut passes);
             if !storage.takes_apart(&mesh)? {
                 mesh = self.history.stored().clone();
                 provenance = Provenance::same(mesh.counts());
+                created_faces = Vec::new();
             }
         }
-        Ok(Repaired { mesh, provenance, passes, removed_faces, turned_normals, rounding, topology, stitched })
+        Ok(Repaired {
+            mesh,
+            provenance,
+            passes,
+            removed_faces,
+            created_faces,
+            turned_normals,
+            rounding,
+            topology,
+            stitched,
+        })
     }
 
     /// How many vertices the first pass joined to others that are apart from them in the result.

@@ -14,7 +14,7 @@ pub(crate) fn every_choice() -> Vec<AnyPass> {
 
 /// A pass with every choice of its options, the defaults among them.
 fn choices_of(kind: PassKind) -> Vec<AnyPass> {
-    let plan = serde_json::to_value(Plan::default()).unwrap();
+    let plan = serde_json::to_value(Plan::default().with(kind)).unwrap();
     let options: Vec<&String> = plan[kind.name()].as_object().unwrap().keys().collect();
     let mut choices = vec![Map::new()];
     for option in options {
@@ -36,9 +36,10 @@ fn values_of(kind: PassKind, option: &str) -> Vec<Value> {
     let complaint = pass(kind, json!({ option: "?" })).unwrap_err().to_string();
     let known = complaint.split_once("expected").map_or("", |(_, known)| known);
     let words = known.split('`').skip(1).step_by(2);
+    let limits = json!({ "edges": 5, "length": { "relative": 0.9 } });
     let alone_or_with_amounts = |word: &str| {
         let amounts = AMOUNTS.map(|amount| json!({ word: amount }));
-        std::iter::once(json!(word)).chain(amounts)
+        std::iter::once(json!(word)).chain(amounts).chain([json!({ word: limits })])
     };
     words.flat_map(alone_or_with_amounts).filter(is_taken).collect()
 }

@@ -307,7 +307,7 @@ impl Named {
                     named.parted_vertices.extend(defect.at.vertex());
                 }
                 DefectKind::SeamEdge => named.parted_vertices.extend(defect.at.ends().into_iter().flatten()),
-                DefectKind::CoincidentEdges => named.asks_for_vertices = true,
+                DefectKind::CoincidentEdges | DefectKind::BoundaryEdge => named.asks_for_vertices = true,
                 _ => {}
             }
         }

@@ -1,0 +1,103 @@
+//! Fills the loops of one round.
+
+use std::borrow::Cow;
+
+use meshmend_core::{CornerId, PolygonMesh, Provenance, VertexId};
+use meshmend_geometry::Edges;
+use meshmend_spatial::Surface;
+use rayon::prelude::*;
+
+use super::built::Built;
+use super::crossing::{Covered, crossings};
+use super::hole::{Choice, Cover, Hole, RoomAmid};
+use super::judging::Judged;
+use super::places::TrianglesByPlace;
+use super::record::{FillCrossing, LeftOpen, LoopFate, LoopRecord};
+use super::{Fill, FillCrossings};
+use crate::{Context, PassError};
+
+/// What a round of filling gives.
+pub(super) struct Filled {
+    /// Each loop with what became of it.
+    pub(super) records: Vec<LoopRecord>,
+    /// The mesh and where its elements come from, if any loop was filled.
+    pub(super) mesh: Option<(PolygonMesh, Provenance)>,
+    /// The sides of the boundary that were closed, in the mesh's complex.
+    pub(super) closed: Vec<CornerId>,
+}
+
+/// Fills the loops that are to be filled.
+pub(super) fn filled(
+    options: &Fill,
+    mesh: &PolygonMesh,
+    judged: &[Judged],
+    context: &Context<'_>,
+) -> Result<Filled, PassError> {
+    let holes: Vec<Hole<'_>> =
+        judged.par_iter().filter_map(|judged| Some(Hole::of(mesh, judged.verdict.as_ref().ok()?))).collect();
+    let mut built = Built::of(mesh);
+    let mut fates = Vec::new();
+    if !holes.is_empty() {
+        let mut room = RoomAmid { mesh, clearance: context.clearance, free: None };
+        let choices = choices(options, mesh, &holes).into_iter();
+        let covers: Vec<Option<Cover>> =
+            choices.zip(&holes).map(|(choice, hole)| hole.cover(choice, &mut room)).collect();
+        context.check_cancelled()?;
+        let covered: Vec<Covered<'_>> = holes.iter().zip(covers.iter().map(Option::as_ref)).collect();
+        let is_made = |crossing: Option<&FillCrossing>| {
+            options.crossing == FillCrossings::Keep || crossing.is_none()
+        };
+        let crossings = crossings(&Surface::of(mesh)?, &covered, is_made);
+        for (&(hole, cover), crossing) in covered.iter().zip(crossings) {
+            let made = cover.filter(|_| is_made(crossing.as_ref()));
+            made.iter().for_each(|cover| built.add(hole, cover));
+            fates.push((fate(cover, made), crossing));
+        }
+    }
+    let mut fates = fates.into_iter();
+    let record = |judged: &Judged| {
+        let (fate, crossing) = match judged.verdict {
+            Err(left) => (LoopFate::Left { left }, None),
+            Ok(_) => fates.next().unwrap_or((LoopFate::Left { left: LeftOpen::Flat }, None)),
+        };
+        let found = &judged.found;
+        let first_vertex = found.vertices.first().copied().unwrap_or(VertexId(0));
+        let (edges, length, turned) = (found.vertices.len(), found.length, found.turned);
+        LoopRecord { first_vertex, edges, length, turned, fate, crossing }
+    };
+    let records = judged.iter().map(record).collect();
+    Ok(Filled { records, closed: built.take_closed(), mesh: built.mesh()? })
+}
+
+/// What is best for each hole.
+///
+/// Holes whose vertices have places of their own can't get the same triangles, so they are looked at all at once; the others one
+/// after another.
+fn choices(options: &Fill, mesh: &PolygonMesh, holes: &[Hole<'_>]) -> Vec<Choice> {
+    let edges = Edges::new(Cow::Borrowed(mesh.complex().edges().all_ends()), mesh.counts().vertices);
+    let mut there = TrianglesByPlace::of(mesh);
+    let at_once = |hole: &Hole<'_>| hole.is_apart(&there).then(|| hole.choice(options, &edges, &there));
+    let first: Vec<Option<Choice>> = holes.par_iter().map(at_once).collect();
+    let in_turn = |(choice, hole): (Option<Choice>, &Hole<'_>)| {
+        choice.unwrap_or_else(|| {
+            let choice = hole.choice(options, &edges, &there);
+            if let Choice::Triangles(fill) = &choice {
+                let triangles = fill.triangles.iter().map(|t| t.map(|corner| hole.vertices[corner]));
+                triangles.for_each(|triangle| there.add(triangle));
+            }
+            choice
+        })
+    };
+    first.into_iter().zip(holes).map(in_turn).collect()
+}
+
+/// What becomes of a loop with its cover, if it has one, and if that is made.
+fn fate(cover: Option<&Cover>, made: Option<&Cover>) -> LoopFate {
+    match (cover, made) {
+        (None, _) => LoopFate::Left { left: LeftOpen::Flat },
+        (Some(_), None) => LoopFate::Left { left: LeftOpen::Crossing },
+        (_, Some(Cover { shape, triangles, cost, .. })) => {
+            LoopFate::Filled { fill: *shape, faces: triangles.len(), fold: cost.fold, area: cost.area }
+        }
+    }
+}

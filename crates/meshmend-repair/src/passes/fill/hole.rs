@@ -1,0 +1,146 @@
+//! A hole, and what covers it.
+
+use meshmend_core::{FaceId, PolygonMesh, VertexId};
+use meshmend_geometry::polygon::Triangle;
+use meshmend_geometry::vector::Point;
+use meshmend_geometry::{Edges, FreePoints};
+use meshmend_spatial::{
+    Fill as Triangles, FillBy, FillCost, Opening, best_fill, direction_of_face, fan_cost, is_straight,
+};
+
+use super::judging::SideBeside;
+use super::places::TrianglesByPlace;
+use super::record::FillShape;
+use super::{Fill, FillWith};
+use crate::Clearance;
+
+/// A loop that is to be filled, with its own lists.
+pub(super) struct Hole<'a> {
+    pub(super) sides: &'a [SideBeside],
+    pub(super) vertices: Vec<VertexId>,
+    points: Vec<Point>,
+    beside: Vec<Point>,
+}
+
+/// What is best for a hole.
+pub(super) enum Choice {
+    /// These triangles.
+    Triangles(Triangles),
+    /// A fan.
+    Fan,
+    /// Every fill has no area.
+    Flat,
+}
+
+/// What covers a hole.
+pub(super) struct Cover {
+    pub(super) shape: FillShape,
+    /// By the places of the hole's corners; the new vertex of a fan comes behind the last.
+    pub(super) triangles: Vec<Triangle>,
+    /// Where a fan's new vertex is.
+    pub(super) centre: Option<Point>,
+    pub(super) cost: FillCost,
+}
+
+impl<'a> Hole<'a> {
+    pub(super) fn of(mesh: &PolygonMesh, sides: &'a [SideBeside]) -> Self {
+        let vertices: Vec<VertexId> = sides.iter().map(|side| side.from).collect();
+        let points = vertices.iter().map(|&vertex| mesh.position(vertex)).collect();
+        // Neighbouring sides often lie along one face, which may be large.
+        let mut last: Option<(FaceId, Point)> = None;
+        let direction = |side: &SideBeside| match last {
+            Some((face, direction)) if face == side.face => direction,
+            _ => {
+                let corners = mesh.faces().face_vertices(side.face).iter();
+                let points: Vec<Point> = corners.map(|&vertex| mesh.position(vertex)).collect();
+                last.insert((side.face, direction_of_face(&points))).1
+            }
+        };
+        let beside = sides.iter().map(direction).collect();
+        Hole { sides, vertices, points, beside }
+    }
+
+    /// Whether no vertex of the hole shares its place.
+    pub(super) fn is_apart(&self, there: &TrianglesByPlace) -> bool {
+        !self.vertices.iter().any(|&vertex| there.is_shared(vertex))
+    }
+
+    fn asked<T>(
+        &self,
+        edges: &Edges<'_>,
+        there: &TrianglesByPlace,
+        ask: impl FnOnce(&Opening<'_>) -> T,
+    ) -> T {
+        let is_joined = |one: usize, other: usize| {
+            let ends = [self.vertices[one], self.vertices[other]];
+            edges.contains([ends[0].min(ends[1]), ends[0].max(ends[1])])
+        };
+        let is_there = |corners: [usize; 3]| there.contains(corners.map(|corner| self.vertices[corner]));
+        ask(&Opening {
+            points: &self.points,
+            vertices: &self.vertices,
+            beside: &self.beside,
+            is_joined: &is_joined,
+            is_there: &is_there,
+        })
+    }
+
+    /// What is best for the hole.
+    pub(super) fn choice(&self, options: &Fill, edges: &Edges<'_>, there: &TrianglesByPlace) -> Choice {
+        let by = match options.by {
+            FillWith::Fold => Some(FillBy::Fold),
+            FillWith::Area => Some(FillBy::Area),
+            FillWith::Fan => None,
+        };
+        let fill = by.and_then(|by| self.asked(edges, there, |opening| best_fill(opening, by)));
+        match fill {
+            Some(fill) if fill.cost.zero_area == fill.triangles.len() => Choice::Flat,
+            Some(fill) => Choice::Triangles(fill),
+            None if is_straight(&self.points) => Choice::Flat,
+            None => Choice::Fan,
+        }
+    }
+
+    /// The cover that was chosen, if it has an area.
+    pub(super) fn cover(&self, choice: Choice, room: &mut RoomAmid<'_>) -> Option<Cover> {
+        match choice {
+            Choice::Flat => None,
+            Choice::Triangles(Triangles { triangles, cost }) => {
+                Some(Cover { shape: FillShape::Triangles, triangles, centre: None, cost })
+            }
+            Choice::Fan => {
+                let (count, centre) = (self.points.len(), room.take_amid(&self.points));
+                let triangles = (0..count).map(|corner| [corner, (corner + 1) % count, count]).collect();
+                let opening = Opening {
+                    points: &self.points,
+                    vertices: &self.vertices,
+                    beside: &self.beside,
+                    is_joined: &|_, _| false,
+                    is_there: &|_| false,
+                };
+                let cost = fan_cost(&opening, centre);
+                Some(Cover { shape: FillShape::Fan, triangles, centre: Some(centre), cost })
+            }
+        }
+    }
+
+    /// Where a corner of the cover is.
+    pub(super) fn points_of(&self, cover: &Cover, triangle: Triangle) -> [Point; 3] {
+        let beyond = cover.centre.unwrap_or([f64::NAN; 3]);
+        triangle.map(|corner| self.points.get(corner).copied().unwrap_or(beyond))
+    }
+}
+
+/// Room for new vertices in a mesh. Its vertices are gathered when a place is first asked for.
+pub(super) struct RoomAmid<'a> {
+    pub(super) mesh: &'a PolygonMesh,
+    pub(super) clearance: Clearance,
+    pub(super) free: Option<FreePoints>,
+}
+
+impl RoomAmid<'_> {
+    fn take_amid(&mut self, points: &[Point]) -> Point {
+        let (mesh, clearance) = (self.mesh, self.clearance);
+        self.free.get_or_insert_with(|| clearance.free_points(mesh)).amid(points)
+    }
+}

@@ -1,0 +1,61 @@
+//! Which triangles are there already by the positions of their corners, in meshes some of whose vertices share places.
+
+use std::collections::BTreeSet;
+
+use meshmend_core::{Id, PolygonMesh, VertexId};
+use meshmend_geometry::coincident::coincident_vertices;
+
+/// The triangles that have a corner at a place that vertices share.
+pub(super) struct TrianglesByPlace {
+    /// For each vertex the lowest one in its place.
+    lowest: Vec<VertexId>,
+    is_shared: Vec<bool>,
+    /// By their places, ascending.
+    triangles: BTreeSet<[VertexId; 3]>,
+}
+
+impl TrianglesByPlace {
+    /// *Cost*: linear, and O(n log n) in the triangles at shared places.
+    pub(super) fn of(mesh: &PolygonMesh) -> Self {
+        let lowest = coincident_vertices(mesh);
+        let mut is_shared = vec![false; lowest.len()];
+        for (vertex, low) in lowest.iter().enumerate() {
+            if low.index() != vertex {
+                is_shared[vertex] = true;
+                is_shared[low.index()] = true;
+            }
+        }
+        let mut found = TrianglesByPlace { lowest, is_shared, triangles: BTreeSet::new() };
+        if found.is_shared.contains(&true) {
+            for face in mesh.faces().faces() {
+                if let &[a, b, c] = mesh.faces().face_vertices(face) {
+                    found.add([a, b, c]);
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether a vertex shares its place.
+    pub(super) fn is_shared(&self, vertex: VertexId) -> bool {
+        self.is_shared[vertex.index()]
+    }
+
+    /// Whether a triangle is there, either way round, at a place that vertices share.
+    pub(super) fn contains(&self, triangle: [VertexId; 3]) -> bool {
+        !self.triangles.is_empty() && self.triangles.contains(&self.places(triangle))
+    }
+
+    /// Adds a triangle, if one of its places is shared.
+    pub(super) fn add(&mut self, triangle: [VertexId; 3]) {
+        if triangle.iter().any(|&vertex| self.is_shared(vertex)) {
+            self.triangles.insert(self.places(triangle));
+        }
+    }
+
+    fn places(&self, triangle: [VertexId; 3]) -> [VertexId; 3] {
+        let mut places = triangle.map(|vertex| self.lowest[vertex.index()]);
+        places.sort_unstable();
+        places
+    }
+}
