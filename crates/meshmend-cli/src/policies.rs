@@ -51,6 +51,10 @@ pub(crate) fn with_options(command: Command, passes: Passes) -> Command {
 fn argument(pass: PassKind, option: &'static PassOption) -> Arg {
     let argument = Arg::new(option.name).long(option.name).help(option.help).help_heading("Policies");
     match option.values {
+        OptionValues::Flag(word) => argument.num_args(0).default_missing_value(word),
+        OptionValues::Limits => argument.value_name("LIMITS").value_parser(|word: &str| {
+            if word == OFF { Ok(word.to_owned()) } else { words::fill_loops(word).map(|_| word.to_owned()) }
+        }),
         OptionValues::Distance => argument
             .value_name("DISTANCE")
             .value_parser(|word: &str| words::welding(word).map(|_| word.to_owned())),
@@ -130,7 +134,10 @@ impl Said {
         for key in self.option.sets {
             let set = match (self.option.values, words::welding(&self.word)) {
                 (OptionValues::Distance, Ok(Welding::Within(distance))) => plan.set(self.pass, key, distance),
-                (OptionValues::Distance, _) => plan.set(self.pass, key, &self.word),
+                (OptionValues::Distance | OptionValues::Flag(_), _) => plan.set(self.pass, key, &self.word),
+                (OptionValues::Limits, _) => {
+                    plan.set(self.pass, key, words::fill_loops(&self.word).map_err(Failure::usage)?)
+                }
                 (OptionValues::Words(words), _) => {
                     let word = words.iter().find(|word| word.name == self.word);
                     plan.set(self.pass, key, word.map_or(self.word.as_str(), |word| word.value))
@@ -157,7 +164,10 @@ fn read_plan(path: &Path, passes: Passes) -> Result<Plan, Failure> {
 #[cfg(test)]
 mod tests {
     use clap::{CommandFactory, FromArgMatches, Parser};
-    use meshmend::passes::{Duplicates, LooseElements, NonFinite, NonOrientable, Repeated, Side, SplitEdges};
+    use meshmend::passes::{
+        Duplicates, FillLimits, FillLoops, FillRims, FillWith, LooseElements, NonFinite, NonOrientable,
+        Repeated, Side, SplitEdges,
+    };
     use meshmend::{Distance, FlippedNormals};
 
     use super::*;
@@ -186,7 +196,7 @@ mod tests {
         let options = "--weld 1% --non-finite keep --orient outward --non-orientable cut --duplicates keep-first \
                        --split pinch-only --triangulate all --compact keep-loose";
         let plan = plan(&options.split_whitespace().collect::<Vec<_>>()).unwrap();
-        assert_eq!(plan.passes, PassKind::ALL);
+        assert_eq!(plan.passes, Plan::default().passes);
         assert_eq!(plan.weld.distance, Distance::Relative(0.01));
         assert_eq!(plan.clean.non_finite, NonFinite::Keep);
         assert_eq!(plan.orient.side, Side::Outward);
@@ -195,6 +205,17 @@ mod tests {
         assert_eq!(plan.split.edges, SplitEdges::PinchOnly);
         assert_eq!(plan.triangulate.faces, TriangulateFaces::All);
         assert_eq!(plan.compact.loose_edges, LooseElements::Keep);
+    }
+
+    #[test]
+    fn holes_are_filled_when_asked_for() {
+        let plan = plan(&["--fill", "edges:12", "--fill-rims", "--fill-by", "fan"]).unwrap();
+        let names: Vec<&str> = plan.passes.iter().map(|pass| pass.name()).collect();
+        assert!(names.windows(3).any(|three| three == ["split", "fill", "triangulate"]), "{names:?}");
+        let limits = FillLimits { edges: Some(12), ..FillLimits::default() };
+        assert_eq!(plan.fill.loops, FillLoops::Within(limits));
+        assert_eq!((plan.fill.rims, plan.fill.by), (FillRims::Take, FillWith::Fan));
+        assert_eq!(self::plan(&["--fill", "off"]).unwrap(), Plan::default());
     }
 
     #[test]
@@ -222,7 +243,7 @@ mod tests {
         let loose = ["on", "keep-loose"].map(|word| with("--compact", word).compact);
         assert_eq!(loose.each_ref().map(|c| c.loose_edges), [LooseElements::Remove, LooseElements::Keep]);
         assert_eq!(loose.each_ref().map(|c| c.loose_points), [LooseElements::Remove, LooseElements::Keep]);
-        assert_eq!(with("--clean", "on").passes, PassKind::ALL);
+        assert_eq!(with("--clean", "on").passes, Plan::default().passes);
     }
 
     #[test]

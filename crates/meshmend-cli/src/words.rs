@@ -2,6 +2,7 @@
 
 use meshmend::matrices::{Field, Prime};
 use meshmend::mesh::Cell;
+use meshmend::passes::{FillLimits, FillLoops, Reach};
 use std::path::Path;
 
 use meshmend::shapes::{NAMED_SHAPES, NamedShape};
@@ -67,6 +68,42 @@ pub(crate) fn welding(word: &str) -> Result<Welding, String> {
             Err("expected none, exact, single, a length such as 0.001, or a percentage such as 0.01%"
                 .to_owned())
         }
+    }
+}
+
+/// Reads which holes are filled: `all`, or limits such as `edges:12,length:5%,area:0.5`.
+pub(crate) fn fill_loops(word: &str) -> Result<FillLoops, String> {
+    if word == "all" {
+        return Ok(FillLoops::All);
+    }
+    let mut limits = FillLimits::default();
+    let mut named: Vec<&str> = Vec::new();
+    for limit in word.split(',') {
+        let (name, size) = limit.split_once(':').ok_or_else(no_limit)?;
+        if named.contains(&name) {
+            return Err(format!("{name} is limited twice"));
+        }
+        named.push(name);
+        match name {
+            "edges" => limits.edges = Some(size.parse().map_err(|_| no_limit())?),
+            "length" => limits.length = Some(reach(size)?),
+            "area" => limits.area = Some(reach(size)?),
+            _ => return Err(no_limit()),
+        }
+    }
+    Ok(FillLoops::Within(limits))
+}
+
+fn no_limit() -> String {
+    "expected all, off, or limits such as edges:12,length:5%,area:0.5".to_owned()
+}
+
+fn reach(word: &str) -> Result<Reach, String> {
+    let number = word.strip_suffix('%').unwrap_or(word).trim().parse::<f64>().map_err(|_| no_limit())?;
+    match (number.is_finite() && number >= 0.0, word.ends_with('%')) {
+        (false, _) => Err(no_limit()),
+        (true, false) => Ok(Reach::Absolute(number)),
+        (true, true) => Ok(Reach::Relative(number / 100.0)),
     }
 }
 
@@ -155,6 +192,22 @@ mod tests {
         }
         for wrong in ["", "%", "-1", "nan", "inf", "1e999", "Exact", "3 mm"] {
             assert!(welding(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn limits_of_holes_are_a_list() {
+        assert_eq!(fill_loops("all"), Ok(FillLoops::All));
+        let limits = FillLimits {
+            edges: Some(12),
+            length: Some(Reach::Relative(0.5)),
+            area: Some(Reach::Absolute(0.25)),
+        };
+        assert_eq!(fill_loops("edges:12,length:50%,area:0.25"), Ok(FillLoops::Within(limits)));
+        for wrong in
+            ["", "edges", "edges:-1", "edges:1%", "length:nan", "area:-2", "depth:1", "edges:1,edges:2"]
+        {
+            assert!(fill_loops(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -4,8 +4,8 @@
 
 use meshmend_core::{Carry, Defect, DefectKind, Domain, Layer, NO_VALUE, PolygonMesh, Values};
 use meshmend_repair::{
-    Context, Fill, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord,
-    Outcome, Pass, PassKind, Pipeline, Reach,
+    Context, CrossingFills, Fill, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate,
+    LoopRecord, Outcome, Pass, PassKind, Pipeline, Reach,
 };
 
 /// A cube of quads without its lid, whose corners are named by the bits x, y, z.
@@ -98,24 +98,30 @@ fn sheet() -> PolygonMesh {
 fn rims_and_single_faces_stay_open() {
     let outcome = filled(&sheet(), &Fill::default());
     assert_eq!(left(&outcome), [Some(LeftOpen::Rim), None, Some(LeftOpen::LoneFace)]);
-    let outcome = filled(&sheet(), &Fill { rims: FillRims::Take, ..Fill::default() });
+    // A fill of the border would lie in the sheet.
+    let taken = Fill { rims: FillRims::Take, ..Fill::default() };
+    let outcome = filled(&sheet(), &taken);
+    assert_eq!(left(&outcome), [Some(LeftOpen::Crossing), None, Some(LeftOpen::LoneFace)]);
+    let [crossing, ..] = &outcome.loops[..] else { panic!("{:?}", outcome.loops) };
+    assert!(crossing.crossing.is_some() && crossing.to_string().ends_with(" cross)"), "{crossing}");
+    let outcome = filled(&sheet(), &Fill { crossing: CrossingFills::Keep, ..taken });
     assert_eq!(left(&outcome), [None, None, Some(LeftOpen::LoneFace)]);
+    assert!(outcome.loops[..2].iter().all(|row| row.crossing.is_some()), "the fills lie on one another");
     assert_eq!(boundary_edges(&outcome.mesh), 3);
 }
 
 #[test]
 fn a_slit_is_left() {
-    // Two triangles side by side, whose common side has a vertex of its own on each of them.
-    let points =
-        [[0.0; 3], [2.0, 0.0, 0.0], [1.0, 2.0, 0.0], [1.0, -2.0, 0.0], [1.0, 0.0, 0.0], [0.5, 0.0, 0.0]];
-    let faces = [[0, 5, 2], [5, 1, 2], [1, 4, 3], [4, 0, 3]];
-    let outcome = filled(&PolygonMesh::from_triangles(&points, &faces).unwrap(), &Fill::default());
-    let reasons = left(&outcome);
-    assert!(
-        reasons.contains(&Some(LeftOpen::NotSimple)) || reasons.contains(&Some(LeftOpen::Flat)),
-        "{reasons:?}"
-    );
-    assert!(outcome.provenance.is_same());
+    // The upper and the lower half of a kite have vertices of their own along their common side.
+    let points = [[0, 0], [4, 0], [2, 4], [2, -4], [1, 0], [2, 0], [-4, 0], [8, 0]];
+    let points = points.map(|[x, y]| [f64::from(x), f64::from(y), 0.0]);
+    let faces = [[0, 5, 2], [5, 1, 2], [1, 4, 3], [4, 0, 3], [6, 0, 2], [6, 3, 0], [1, 7, 2], [1, 3, 7]];
+    let mesh = PolygonMesh::from_triangles(&points, &faces).unwrap();
+    for by in [FillWith::Fold, FillWith::Area, FillWith::Fan] {
+        let outcome = filled(&mesh, &Fill { by, ..Fill::default() });
+        assert_eq!(left(&outcome), [Some(LeftOpen::Flat), Some(LeftOpen::Rim)], "{by:?}");
+        assert!(outcome.provenance.is_same());
+    }
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 use meshmend::formats::LossKind;
 use meshmend::mesh::{Listed, counted};
-use meshmend::passes::{Looked, SeamFigures};
-use meshmend::report::{FigureChanges, NamedFace, PassDocument, RepairDocument};
+use meshmend::passes::{Looked, LoopRecord, SeamFigures};
+use meshmend::report::{FigureChanges, Listing, NamedFace, PassDocument, RepairDocument};
 use meshmend::{DefectKind, Loss, PassKind, Severity};
 
 use super::check::{column, defects};
@@ -65,6 +65,7 @@ pub(super) fn changes(document: &RepairDocument) -> String {
         (document.emptied_names.count, "names of which nothing is left"),
         (document.flipped_faces.count, "faces flipped"),
         (document.turned_normals, "normals turned with their faces"),
+        (document.created_faces.count, "faces created"),
         (document.created_vertices.count, "vertices created"),
         (document.stitched, "vertices stitched"),
         ((before.loose_edges - after.loose_edges.min(before.loose_edges)) as u64, "loose edges removed"),
@@ -107,6 +108,7 @@ fn pass(document: &PassDocument) -> Vec<String> {
     };
     let mut lines = vec![format!("{:<12}{text}{figures}", document.pass.name())];
     lines.extend(document.seam.map(|seam| format!("{:<12}{}", "", cut_open(seam))));
+    lines.extend(document.loops.iter().flat_map(loops).map(|line| format!("{:<12}{line}", "")));
     let left = kinds_with_counts(counts(&document.left));
     if !left.is_empty() {
         lines.push(format!("{:<12}left alone: {left}", ""));
@@ -144,6 +146,16 @@ fn cut_open(seam: SeamFigures) -> String {
     let SeamFigures { edges, edges_added, vertices_added, .. } = seam;
     let seam = format!("seam of {}{length} cut open", counted(edges, "edge"));
     format!("{seam}: {} and {} added", counted(edges_added, "edge"), counted(vertices_added, "vertex"))
+}
+
+/// What became of each boundary loop.
+fn loops(loops: &Listing<LoopRecord>) -> Vec<String> {
+    if loops.count == 0 {
+        return vec!["there is no boundary loop".to_owned()];
+    }
+    let hidden = loops.count - loops.items.len() as u64;
+    let more = (hidden > 0).then(|| format!("… and {hidden} more"));
+    loops.items.iter().map(ToString::to_string).chain(more).collect()
 }
 
 /// How many vertices welding joined. The kind's own title speaks of what exact welding would do.

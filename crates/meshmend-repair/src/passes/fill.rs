@@ -48,13 +48,13 @@ pub struct Fill {
     /// What happens to the outer borders of sheets.
     pub rims: FillRims,
     /// What happens to fills that cross what is there.
-    pub crossing: FillCrossings,
+    pub crossing: CrossingFills,
 }
 
 /// What happens to fills that cross what is there, another fill, or themselves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum FillCrossings {
+pub enum CrossingFills {
     /// They are not made.
     #[default]
     Leave,

@@ -140,7 +140,7 @@ passes! {
     clean: Clean, NonFinite, Repeated;
     orient: Orient, Duplicates, NonOrientable, Side;
     split: Split, SeamFigures, Seams, SplitEdges;
-    fill: Crossed, Fill, FillCrossing, FillCrossings, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord, Reach;
+    fill: Fill, Crossed, CrossingFills, FillCrossing, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord, Reach;
     triangulate: Triangulate, TriangulateFaces;
     compact: Compact, LooseElements;
     verify: Verify;
@@ -373,7 +373,8 @@ mod tests {
     fn a_pass_of_ones_own_has_its_place() {
         let passes = Passes::with(&[&NOTHING]).unwrap();
         let names: Vec<&str> = passes.kinds().into_iter().map(PassKind::name).collect();
-        let expected = ["weld", "clean", "orient", "nothing", "split", "triangulate", "compact", "verify"];
+        let expected =
+            ["weld", "clean", "orient", "nothing", "split", "fill", "triangulate", "compact", "verify"];
         assert_eq!(names, expected);
         assert_eq!(Plan::of(passes), Plan::default());
         assert_eq!(passes.kind("nothing"), Some(PassKind::Own(&NOTHING)));

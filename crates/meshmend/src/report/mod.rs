@@ -43,7 +43,7 @@ pub use matrix_document::{
 };
 pub use parts_document::PartsDocument;
 pub use repair_document::{
-    BeforeAndAfter, CreatedVertex, EmptiedNameDocument, FigureChanges, NamedFace, PassDocument,
+    BeforeAndAfter, CreatedFace, CreatedVertex, EmptiedNameDocument, FigureChanges, NamedFace, PassDocument,
     ProvenanceDocument, RemovedFaces, RepairDocument,
 };
 use serde::Serialize;

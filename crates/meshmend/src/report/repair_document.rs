@@ -8,8 +8,8 @@ use meshmend_core::{
 };
 use meshmend_io::{Loss, Note};
 use meshmend_repair::{
-    EmptiedName, Figures, Looked, PassKind, PassRecord, RemovedFace, Repaired, Rounding, SeamFigures,
-    emptied_names,
+    EmptiedName, Figures, Looked, LoopRecord, PassKind, PassRecord, RemovedFace, Repaired, Rounding,
+    SeamFigures, emptied_names,
 };
 use serde::Serialize;
 
@@ -51,6 +51,9 @@ pub struct RepairDocument {
     pub turned_normals: u64,
     /// The vertices of the result that were not stored.
     pub created_vertices: Listing<VertexId>,
+    /// The faces of the result that were not stored, and why they are there.
+    #[serde(skip_serializing_if = "has_none")]
+    pub created_faces: Listing<CreatedFace>,
     /// What the written format can't carry.
     pub losses: Vec<Loss>,
     /// Where each element came from, if that was asked for.
@@ -99,6 +102,9 @@ pub struct PassDocument {
     pub delta: Option<FigureChanges>,
     /// What cutting non-orientable patches open took, where it did.
     pub seam: Option<SeamFigures>,
+    /// What became of each boundary loop, where the pass judged them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loops: Option<Listing<LoopRecord>>,
     /// Whether `verify` looked at the mesh afresh, or was told what was known before and is still true.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub looked: Option<Looked>,
@@ -179,6 +185,15 @@ pub struct ProvenanceDocument {
     pub created: Vec<CreatedVertex>,
 }
 
+/// A face that a repair created.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct CreatedFace {
+    /// Its id in the result.
+    pub face: FaceId,
+    /// Why it is there: `filled`, or the name of a pass of another crate.
+    pub cause: &'static str,
+}
+
 /// A vertex that a repair created.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct CreatedVertex {
@@ -216,6 +231,7 @@ impl RepairDocument {
             flipped_faces: Listing::cut(repaired.provenance.flipped.iter().copied(), limit),
             turned_normals: repaired.turned_normals as u64,
             created_vertices: Listing::cut(created.map(|&(vertex, _)| vertex), limit),
+            created_faces: Listing::cut(created_faces(repaired), limit),
             losses: Vec::new(),
             provenance: None,
         }
@@ -234,6 +250,7 @@ impl From<EmptiedName> for EmptiedNameDocument {
 
 impl PassDocument {
     fn new(record: &PassRecord, limit: usize) -> Self {
+        let judged = record.pass == PassKind::Fill || !record.loops.is_empty();
         PassDocument {
             pass: record.pass,
             changed: record.is_changed,
@@ -241,6 +258,7 @@ impl PassDocument {
             left: by_kind(record.left.iter().cloned(), limit),
             delta: record.figures.map(|[before, after]| FigureChanges::between(before, after)),
             seam: record.seam,
+            loops: judged.then(|| Listing::cut(record.loops.iter().cloned(), limit)),
             looked: record.looked,
         }
     }
@@ -285,6 +303,17 @@ impl RemovedFaces {
             items: removed.iter().take(limit).map(named).collect(),
         }
     }
+}
+
+fn created_faces(repaired: &Repaired) -> impl ExactSizeIterator<Item = CreatedFace> {
+    repaired.created_faces.iter().map(|&(face, pass)| {
+        let cause = if pass == PassKind::Fill { "filled" } else { pass.name() };
+        CreatedFace { face, cause }
+    })
+}
+
+fn has_none<T>(listing: &Listing<T>) -> bool {
+    listing.count == 0
 }
 
 fn is_nothing(differences: &Differences) -> bool {

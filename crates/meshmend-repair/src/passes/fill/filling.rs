@@ -13,7 +13,7 @@ use super::hole::{Choice, Cover, Hole, RoomAmid};
 use super::judging::Judged;
 use super::places::TrianglesByPlace;
 use super::record::{FillCrossing, LeftOpen, LoopFate, LoopRecord};
-use super::{Fill, FillCrossings};
+use super::{Fill, CrossingFills};
 use crate::{Context, PassError};
 
 /// What a round of filling gives.
@@ -45,7 +45,7 @@ pub(super) fn filled(
         context.check_cancelled()?;
         let covered: Vec<Covered<'_>> = holes.iter().zip(covers.iter().map(Option::as_ref)).collect();
         let is_made = |crossing: Option<&FillCrossing>| {
-            options.crossing == FillCrossings::Keep || crossing.is_none()
+            options.crossing == CrossingFills::Keep || crossing.is_none()
         };
         let crossings = crossings(&Surface::of(mesh)?, &covered, is_made);
         for (&(hole, cover), crossing) in covered.iter().zip(crossings) {
