@@ -1,5 +1,7 @@
 //! Best fills of the cases of holes beside the workspace, and how many admissible ones there are.
 
+#![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
+
 mod shared;
 
 use meshmend_core::{Build, Connectivity, EdgeUse, PolygonMesh, VertexId};
