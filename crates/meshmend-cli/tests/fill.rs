@@ -47,8 +47,8 @@ fn a_loop_that_stays_open_has_its_reason() {
     let row = &fill["loops"]["items"][0];
     assert_eq!((&row["first_vertex"], &row["edges"], &row["left"]), (&json!(1), &json!(4), &json!("edges")));
     let report = meshmend(&["repair", &input, "--dry-run", "--json", "--fill-by", "fan"]).succeeds().json();
-    let cause = |face| json!({"face": face, "cause": "filled"});
-    assert_eq!(report["created_faces"], json!({"count": 4, "items": [5, 6, 7, 8].map(cause)}));
+    let causes = [5, 6, 7, 8].map(|face| json!({"face": face, "cause": "filled"}));
+    assert_eq!(report["created_faces"], json!({"count": 4, "items": causes}));
     let unasked = meshmend(&["repair", &input, "--dry-run", "--json"]).succeeds().json();
     assert_eq!(unasked["passes"].as_array().unwrap().len(), 7);
     meshmend(&["repair", &input, "--dry-run", "--fill", "edges:x"]).fails(2, "edges:12");
