@@ -31,6 +31,8 @@ enum QuestionWord {
     TJunctions,
     /// Which closed components are inside out, or inside others
     Nesting,
+    /// Which faces are inside of what closed components enclose; crossings and nesting are asked with it
+    Internal,
     /// Which faces are too thin
     Shape,
 }
@@ -41,6 +43,7 @@ impl From<QuestionWord> for Question {
             QuestionWord::Crossings => Question::Crossings,
             QuestionWord::TJunctions => Question::TJunctions,
             QuestionWord::Nesting => Question::Nesting,
+            QuestionWord::Internal => Question::Internal,
             QuestionWord::Shape => Question::Shape,
         }
     }

@@ -58,6 +58,8 @@ fn every_defect_says_where_it_is() {
         (Defect::touching_faces(FaceId(0), face, "edge-face"), "f0 and f1 touch: edge-face"),
         (Defect::self_crossing_face(face), "f1 crosses itself"),
         (Defect::t_junction(VertexId(9), edge, ends, true), "v9 lies on e2 v3-v4 (aligned)"),
+        (Defect::internal_face(face), "f1 is inside on both sides"),
+        (Defect::internal_component(face, 4), "the component of f1, 4 faces in all, is inside others"),
         (Defect::zero_area_face(face), "f1 has no area"),
         (Defect::sliver_face(face, "needle"), "f1 is a needle"),
     ];

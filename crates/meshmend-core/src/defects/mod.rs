@@ -41,6 +41,8 @@ macro_rules! registered_kinds {
             touching_faces TouchingFaces
             self_crossing_face SelfCrossingFace
             t_junction TJunction
+            internal_face InternalFace
+            internal_component InternalComponent
             zero_area_face ZeroAreaFace
             sliver_face SliverFace
         }

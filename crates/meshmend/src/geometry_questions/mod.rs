@@ -5,8 +5,9 @@ mod questions;
 use meshmend_core::{Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, PolygonMesh, VertexId};
 use meshmend_repair::PassError;
 use meshmend_spatial::{
-    Contact, FacePair, IntersectionOptions, Intersections, NestedComponent, Nesting, NestingState, OpenLoop,
-    Shapes, Surface, TJunction, intersections, nesting, open_loops, shapes, t_junctions,
+    Contact, FacePair, InternalFaces, IntersectionOptions, Intersections, NestedComponent, Nesting,
+    NestingState, OpenLoop, Shapes, Surface, TJunction, internal_faces, intersections, nesting, open_loops,
+    shapes, t_junctions,
 };
 
 pub use self::questions::{GeometryOptions, Question, Questions};
@@ -23,6 +24,8 @@ pub struct GeometryReport {
     pub loops: Option<Vec<OpenLoop>>,
     /// What is inside of what.
     pub nesting: Option<Nesting>,
+    /// The faces inside of what closed components enclose; `None` also where the search for crossings stopped at its budget.
+    pub internal: Option<InternalFaces>,
     /// The faces that are too thin.
     pub shapes: Option<Shapes>,
 }
@@ -34,21 +37,28 @@ impl GeometryReport {
     /// When the distance is not a finite, non-negative number, or the triangles of the faces have more corners than a table
     /// holds.
     ///
-    /// *Cost*: that of [`intersections`], [`t_junctions`], [`open_loops`], [`nesting`] and [`shapes`], as far as they are asked.
+    /// *Cost*: that of [`intersections`], [`t_junctions`], [`open_loops`], [`nesting`], [`internal_faces`] and [`shapes`], as far as they are asked.
     pub fn of(mesh: &PolygonMesh, options: &GeometryOptions) -> Result<Self, PassError> {
         let asks = |question| options.questions.contains(question);
         let mut report = GeometryReport::default();
-        if asks(Question::Crossings) {
-            let surface = Surface::of(mesh)?;
+        let asks_internal = asks(Question::Internal);
+        let surface =
+            if asks(Question::Crossings) || asks_internal { Some(Surface::of(mesh)?) } else { None };
+        if let Some(surface) = &surface {
             let how = IntersectionOptions { budget: options.budget, limit: options.limit };
-            report.intersections = Some(intersections(&surface, how));
+            report.intersections = Some(intersections(surface, how));
         }
         if asks(Question::TJunctions) {
             report.t_junctions = Some(t_junctions(mesh, near(mesh, options)?));
             report.loops = Some(open_loops(&EdgeUse::build(mesh.complex())?, mesh));
         }
-        if asks(Question::Nesting) {
+        if asks(Question::Nesting) || asks_internal {
             report.nesting = Some(nesting(mesh)?);
+        }
+        if let (true, Some(surface), Some(found), Some(nesting)) =
+            (asks_internal, &surface, &report.intersections, &report.nesting)
+        {
+            report.internal = internal_faces(surface, found, nesting);
         }
         if asks(Question::Shape) {
             report.shapes = Some(shapes(mesh, options.aspect));
@@ -111,6 +121,11 @@ impl GeometryReport {
             DefectKind::NoVolume => {
                 Box::new(components(NestingState::NoVolume).map(of_component(Defect::no_volume)))
             }
+            DefectKind::InternalFace => {
+                let faces = self.internal.iter().flat_map(|found| &found.internal);
+                Box::new(faces.map(|&face| Defect::internal_face(face)))
+            }
+            DefectKind::InternalComponent => Box::new(self.internal_components().into_iter()),
             DefectKind::ZeroAreaFace => {
                 let faces = self.shapes.iter().flat_map(|shapes| &shapes.zero_area);
                 Box::new(faces.map(|&face| Defect::zero_area_face(face)))
@@ -121,6 +136,19 @@ impl GeometryReport {
             }
             _ => Box::new(std::iter::empty()),
         }
+    }
+}
+
+impl GeometryReport {
+    /// The components all of whose faces are internal.
+    fn internal_components(&self) -> Vec<Defect> {
+        let (Some(nesting), Some(found)) = (&self.nesting, &self.internal) else { return Vec::new() };
+        let mut internal = vec![0_u32; nesting.components.len()];
+        let components = found.internal.iter().filter_map(|&face| nesting.component_of(face));
+        components.for_each(|place| internal[place] += 1);
+        let all = nesting.components.iter().zip(internal);
+        let whole = all.filter(|(component, internal)| component.faces == *internal);
+        whole.map(|(component, faces)| Defect::internal_component(component.lowest_face, faces)).collect()
     }
 }
 

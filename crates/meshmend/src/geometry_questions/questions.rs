@@ -14,14 +14,16 @@ pub enum Question {
     TJunctions,
     /// Which closed components are inside out, or inside others.
     Nesting,
+    /// Which faces are inside of what closed components enclose. What crosses and what is nested is asked with it.
+    Internal,
     /// Which faces are too thin.
     Shape,
 }
 
 impl Question {
     /// All of them.
-    pub const ALL: [Question; 4] =
-        [Question::Crossings, Question::TJunctions, Question::Nesting, Question::Shape];
+    pub const ALL: [Question; 5] =
+        [Question::Crossings, Question::TJunctions, Question::Nesting, Question::Internal, Question::Shape];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -29,6 +31,7 @@ impl Question {
             Question::Crossings => "crossings",
             Question::TJunctions => "t-junctions",
             Question::Nesting => "nesting",
+            Question::Internal => "internal",
             Question::Shape => "shape",
         }
     }
@@ -44,6 +47,7 @@ impl Question {
             DefectKind::InsideOutComponent | DefectKind::SolidWithin | DefectKind::NoVolume => {
                 Some(Question::Nesting)
             }
+            DefectKind::InternalFace | DefectKind::InternalComponent => Some(Question::Internal),
             DefectKind::ZeroAreaFace | DefectKind::SliverFace => Some(Question::Shape),
             _ => None,
         }

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use meshmend_core::{FaceId, VertexId};
 use meshmend_spatial::{
-    Contact, FacePair, Intersections, LoopKind, NestedComponent, NoSide, NoSpace, OpenLoop, Shapes, Sliver,
-    TJunction,
+    Contact, FacePair, Intersections, LoopKind, NestedComponent, NoSide, NoSpace, OpenLoop, Sliver, TJunction,
 };
 use serde::Serialize;
 
@@ -36,6 +35,12 @@ pub struct GeometryDocument {
     /// How many components there are in all, by their state, or why they have none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub state_counts: Option<BTreeMap<&'static str, u64>>,
+    /// The faces that are inside of what closed components enclose on both sides.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub internal_faces: Option<Vec<FaceId>>,
+    /// The faces of which that can't be said.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mixed_faces: Option<Vec<FaceId>>,
     /// The faces without area.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub zero_area_faces: Option<Vec<FaceId>>,
@@ -144,7 +149,9 @@ impl GeometryDocument {
             loop_counts: found.loops.as_deref().map(loop_counts),
             state_counts: components.map(|all| state_counts(all)),
             components: components.map(|all| names.cut(all, |component| names.component(component))),
-            zero_area_faces: found.shapes.as_ref().map(|shapes| names.zero_area(shapes)),
+            internal_faces: found.internal.as_ref().map(|found| names.faces(&found.internal)),
+            mixed_faces: found.internal.as_ref().map(|found| names.faces(&found.mixed)),
+            zero_area_faces: found.shapes.as_ref().map(|shapes| names.faces(&shapes.zero_area)),
             slivers: found
                 .shapes
                 .as_ref()
@@ -221,7 +228,7 @@ impl Names<'_> {
             overlapping: figures.map(|figures| figures.overlapping),
             crossing_faces: figures.map(|figures| figures.crossing_faces as u64),
             clusters: figures.map(|figures| figures.clusters as u64),
-            self_crossing_faces: self.cut(&found.self_crossing, |&face| self.face(face)),
+            self_crossing_faces: self.faces(&found.self_crossing),
             complete_to: found.complete_to.map(|face| self.face(face)),
         }
     }
@@ -267,8 +274,8 @@ impl Names<'_> {
         }
     }
 
-    fn zero_area(&self, shapes: &Shapes) -> Vec<FaceId> {
-        self.cut(&shapes.zero_area, |&face| self.face(face))
+    fn faces(&self, faces: &[FaceId]) -> Vec<FaceId> {
+        self.cut(faces, |&face| self.face(face))
     }
 
     fn sliver(&self, sliver: &Sliver) -> (FaceId, &'static str, f64) {

@@ -136,6 +136,8 @@ mod tests {
             (Defect::coincident_faces(face, FaceId(0)), whole_face.clone()),
             (Defect::touching_faces(face, FaceId(2), "edge-face"), whole_face.clone()),
             (Defect::self_crossing_face(face), whole_face.clone()),
+            (Defect::internal_face(face), whole_face.clone()),
+            (Defect::internal_component(face, 1), whole_face.clone()),
             (Defect::zero_area_face(face), whole_face.clone()),
             (Defect::sliver_face(face, "cap"), whole_face.clone()),
             (Defect::t_junction(vertex, edge, ends, true), vec![4]),
