@@ -9,7 +9,8 @@ use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, PolygonMesh, Value
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
     Clean, Compact, Distance, Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, OptionValues,
-    Orient, PassKind, Passes, Plan, Repeated, Side, Split, SplitEdges, Triangulate, TriangulateFaces, Weld,
+    Orient, Outward, PassKind, Passes, Plan, Repeated, Side, Split, SplitEdges, Triangulate,
+    TriangulateFaces, Turn, Weld,
 };
 use meshmend_testkit::Soup;
 
@@ -283,6 +284,10 @@ fn any_plan(u: &mut Unstructured<'_>) -> Result<Plan> {
             ..Split::default()
         },
         triangulate: Triangulate { faces: *u.choose(&[TriangulateFaces::Auto, TriangulateFaces::All])? },
+        outward: Outward {
+            turn: *u.choose(&[Turn::Solids, Turn::Nested, Turn::Visible])?,
+            ..Outward::default()
+        },
         compact: Compact { loose_edges: *u.choose(&loose)?, loose_points: *u.choose(&loose)? },
         ..Plan::default()
     })

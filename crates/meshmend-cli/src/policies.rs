@@ -166,7 +166,7 @@ mod tests {
     use clap::{CommandFactory, FromArgMatches, Parser};
     use meshmend::passes::{
         Duplicates, FillLimits, FillLoops, FillRims, FillWith, LooseElements, NonFinite, NonOrientable,
-        Repeated, Side, SplitEdges,
+        Repeated, Side, SplitEdges, Turn,
     };
     use meshmend::{Distance, FlippedNormals};
 
@@ -244,6 +244,18 @@ mod tests {
         assert_eq!(loose.each_ref().map(|c| c.loose_edges), [LooseElements::Remove, LooseElements::Keep]);
         assert_eq!(loose.each_ref().map(|c| c.loose_points), [LooseElements::Remove, LooseElements::Keep]);
         assert_eq!(with("--clean", "on").passes, Plan::default().passes);
+    }
+
+    #[test]
+    fn components_are_turned_when_asked_for() {
+        let turns = ["solids", "nested", "visible"].map(|word| plan(&["--outward", word]).unwrap());
+        assert_eq!(
+            turns.each_ref().map(|plan| plan.outward.turn),
+            [Turn::Solids, Turn::Nested, Turn::Visible]
+        );
+        let names: Vec<&str> = turns[0].passes.iter().map(|pass| pass.name()).collect();
+        assert!(names.windows(2).any(|two| two == ["outward", "compact"]), "{names:?}");
+        assert_eq!(plan(&["--outward", "off"]).unwrap(), Plan::default());
     }
 
     #[test]

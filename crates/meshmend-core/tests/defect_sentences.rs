@@ -62,6 +62,16 @@ fn every_defect_says_where_it_is() {
         (Defect::internal_component(face, 4), "the component of f1, 4 faces in all, is inside others"),
         (Defect::zero_area_face(face), "f1 has no area"),
         (Defect::sliver_face(face, "needle"), "f1 is a needle"),
+        (Defect::inside_out_component(face, 12), "the component of f1, 12 faces in all, looks inward"),
+        (
+            Defect::solid_within(face, 12),
+            "the component of f1, 12 faces in all, lies inside another and looks outward",
+        ),
+        (Defect::no_volume(face, 2), "the component of f1, 2 faces in all, encloses no volume"),
+        (
+            Defect::undecided_component(face, 1),
+            "the component of f1, 1 face in all, is seen as much from one side as from the other",
+        ),
     ];
     for (defect, text) in cases {
         assert_eq!(defect.to_string(), text);

@@ -7,6 +7,8 @@
 //!
 //! [`Weld`] → [`Clean`] → [`Orient`] → [`Split`] → [`Triangulate`] → [`Compact`] → [`Verify`]
 //!
+//! Unasked, no pass turns whole components outward; [`Outward`] does.
+//!
 //! A [`Plan`] says the same in a file.
 
 mod apart;
@@ -14,6 +16,7 @@ mod clearance;
 mod copies;
 mod emptied;
 mod emptied_names;
+mod fates;
 mod figures;
 mod fixed;
 mod matching;
@@ -27,6 +30,7 @@ mod session;
 mod sewing;
 mod stored_vertices;
 mod telling;
+mod turned;
 
 pub use clearance::{Clearance, Subdivision, Unused};
 pub use emptied::{Emptied, Emptying, EmptyingCause};

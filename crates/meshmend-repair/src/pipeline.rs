@@ -5,7 +5,7 @@ mod storage;
 #[cfg(test)]
 mod tests;
 
-use meshmend_core::{Defect, DefectKind, Differences, FaceId, PolygonMesh, Provenance};
+use meshmend_core::{Defect, DefectKind, Differences, FaceId, FlippedNormals, PolygonMesh, Provenance};
 use meshmend_geometry::rounding::{Rounding, in_single_precision};
 use meshmend_topology::TopologyReport;
 
@@ -310,6 +310,9 @@ fn as_they_run(given: &[AnyPass]) -> Vec<AnyPass> {
             (AnyPass::Orient(orient), _) => oriented = Some(orient.clone()),
             (AnyPass::Split(split), Some(orient)) if orient.non_orientable == NonOrientable::Cut => {
                 split.seams = Seams::Cut;
+            }
+            (AnyPass::Outward(outward), Some(orient)) if orient.flipped_normals == FlippedNormals::Keep => {
+                outward.flipped_normals = FlippedNormals::Keep;
             }
             _ => {}
         }

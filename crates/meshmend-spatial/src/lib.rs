@@ -8,6 +8,7 @@
 //! * [`Surface`]: the faces of a mesh as triangles, corners known by their positions.
 //! * [`nesting`] tells what is inside of what, and what is inside out; [`passage`] how a ray passes a triangle.
 //! * [`internal_faces`] finds the faces inside of what closed components enclose.
+//! * [`fronts`] tells which side of an open component is seen.
 //! * Open places: [`t_junctions`] finds vertices on edges, [`open_loops`] tells holes from the rims of sheets.
 //! * Fills: [`best_fill`] covers a hole with triangles, [`fan_cost`] judges a fan.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
@@ -22,6 +23,7 @@ mod meeting;
 mod nesting;
 mod rims;
 mod shape;
+mod sight;
 mod surface;
 mod t_junctions;
 mod unit;
@@ -37,5 +39,6 @@ pub use nesting::{
 };
 pub use rims::{LoopKind, NoSide, OpenLoop, RIM, open_loops};
 pub use shape::{Shapes, Sliver, SliverKind, compare_aspects, is_straight, shapes, sliver_kind};
+pub use sight::{Front, fronts};
 pub use surface::{Cell, Surface, Triangle, WHOLE};
 pub use t_junctions::{TJunction, t_junctions};

@@ -45,6 +45,7 @@ macro_rules! registered_kinds {
             internal_component InternalComponent
             zero_area_face ZeroAreaFace
             sliver_face SliverFace
+            undecided_component UndecidedComponent
         }
     };
 }

@@ -142,6 +142,7 @@ passes! {
     split: Split, SeamFigures, Seams, SplitEdges;
     fill: Fill, Crossed, CrossingFills, FillCrossing, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord, Reach;
     triangulate: Triangulate, TriangulateFaces;
+    outward: Outward, Turn;
     compact: Compact, LooseElements;
     verify: Verify;
 }
@@ -373,8 +374,18 @@ mod tests {
     fn a_pass_of_ones_own_has_its_place() {
         let passes = Passes::with(&[&NOTHING]).unwrap();
         let names: Vec<&str> = passes.kinds().into_iter().map(PassKind::name).collect();
-        let expected =
-            ["weld", "clean", "orient", "nothing", "split", "fill", "triangulate", "compact", "verify"];
+        let expected = [
+            "weld",
+            "clean",
+            "orient",
+            "nothing",
+            "split",
+            "fill",
+            "triangulate",
+            "outward",
+            "compact",
+            "verify",
+        ];
         assert_eq!(names, expected);
         assert_eq!(Plan::of(passes), Plan::default());
         assert_eq!(passes.kind("nothing"), Some(PassKind::Own(&NOTHING)));

@@ -26,16 +26,17 @@
 //! | outward, and nested shells | [`outward`], [`nesting`], [`winding`], [`crossing`] |
 //! | the seam of a patch that is cut | [`seams`] |
 //! | opposite duplicates | [`opposites`] |
-//! | the new mesh and the record | [`fates`], [`rebuilt`], [`record`], [`one_sided`] |
+//! | the new mesh and the record | [`fates`], [`turned`], [`record`], [`one_sided`] |
 
 use meshmend_core::{Connectivity, DefectKind, FaceId, PolygonMesh};
 use meshmend_kernels::KernelTask;
 use meshmend_topology::TopologyReport;
 
+use crate::fates::{self, Fates};
+use crate::turned::turned;
 use crate::{Context, Outcome, Pass, PassError, PassKind};
 
 mod crossing;
-mod fates;
 mod live_matching;
 mod manifold_fast_path;
 mod nesting;
@@ -46,7 +47,6 @@ mod outward;
 mod ownership;
 mod patch_table;
 mod patches;
-mod rebuilt;
 mod record;
 mod repeats;
 mod seams;
@@ -56,7 +56,6 @@ mod winding;
 pub(crate) use options::ROW;
 pub use options::{Duplicates, NonOrientable, Orient, Side};
 
-use fates::Fates;
 use live_matching::{LiveMatching, pairs_as_stored};
 use outward::{NamedPatch, Nested};
 use patches::{Choice, Contradiction, Patches, Policy};
@@ -205,7 +204,7 @@ impl Orient {
         } else {
             let gone = record::gone(&subject.repeats, fates);
             let differed = record::differed(subject, &gone);
-            let rebuilt = rebuilt::rebuilt(subject.mesh, fates, self.flipped_normals)?;
+            let rebuilt = turned(subject.mesh, fates, self.flipped_normals)?;
             Outcome { differed, ..Outcome::changed(rebuilt, record::fixed(subject, fates, gone)) }
         };
         let new_ids = fates.new_ids();

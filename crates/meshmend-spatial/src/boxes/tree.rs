@@ -75,6 +75,28 @@ impl BoxTree {
         walk.enter(0, 0, 0..self.items.len(), 0, &mut found);
     }
 
+    /// Whether there is an item that `is_it` says `true` of; only those are asked for that lie in boxes that `enters` holds for, as
+    /// it does for every box in which a box lies that it holds for.
+    ///
+    /// *Cost*: as many boxes as are entered, times the number of items of a leaf.
+    pub fn any(&self, enters: impl Fn(&Bounds) -> bool, mut is_it: impl FnMut(usize) -> bool) -> bool {
+        let mut open = vec![(0, 0, 0..self.items.len())];
+        while let Some((at, level, items)) = open.pop() {
+            if !enters(&self.nodes[at].bounds) {
+                continue;
+            }
+            if level == self.depth {
+                if self.items[items].iter().any(|&item| is_it(item as usize)) {
+                    return true;
+                }
+            } else {
+                let [one, other] = halves(items);
+                open.extend([(2 * at + 2, level + 1, other), (2 * at + 1, level + 1, one)]);
+            }
+        }
+        false
+    }
+
     /// The boxes of all nodes.
     fn enclosing(&self, bounds: &(impl Fn(usize) -> Bounds + Sync)) -> Vec<Node> {
         let leaves = 1_usize << self.depth;
@@ -243,5 +265,17 @@ mod tests {
                 pairs.filter(|&(one, other)| all[one].overlaps(&all[other])).collect();
             assert_eq!(found, expected, "{count}");
         }
+    }
+
+    #[test]
+    fn some_item_is_found_where_there_is_one() {
+        let all = boxes(100);
+        let tree = BoxTree::over(100, |item| all[item]);
+        for wanted in 0..100 {
+            let enters = |bounds: &Bounds| bounds.overlaps(&all[wanted]);
+            assert!(tree.any(enters, |item| item == wanted));
+            assert!(!tree.any(enters, |_| false));
+        }
+        assert!(!BoxTree::over(0, |item| all[item]).any(|_| true, |_| true));
     }
 }

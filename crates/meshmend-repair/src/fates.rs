@@ -10,54 +10,54 @@ struct Fate {
 }
 
 /// What becomes of each face. *Cost*: 2 bytes a face.
-pub(super) struct Fates {
+pub(crate) struct Fates {
     of_face: Column<FaceId, Fate>,
 }
 
 impl Fates {
     /// All faces stay as they are.
-    pub(super) fn unchanged(face_count: usize) -> Self {
+    pub(crate) fn unchanged(face_count: usize) -> Self {
         Fates { of_face: Column::filled(Fate { stays: true, is_flipped: false }, face_count) }
     }
 
-    pub(super) fn stays(&self, face: FaceId) -> bool {
+    pub(crate) fn stays(&self, face: FaceId) -> bool {
         self.of_face[face].stays
     }
 
-    pub(super) fn is_flipped(&self, face: FaceId) -> bool {
+    pub(crate) fn is_flipped(&self, face: FaceId) -> bool {
         self.of_face[face].is_flipped
     }
 
-    pub(super) fn flip(&mut self, face: FaceId) {
+    pub(crate) fn flip(&mut self, face: FaceId) {
         self.of_face[face].is_flipped ^= true;
     }
 
-    pub(super) fn remove(&mut self, face: FaceId) {
+    pub(crate) fn remove(&mut self, face: FaceId) {
         self.of_face[face].stays = false;
     }
 
-    pub(super) fn all_stay(&self) -> bool {
+    pub(crate) fn all_stay(&self) -> bool {
         self.of_face.values().iter().all(|fate| fate.stays)
     }
 
-    pub(super) fn any_is_flipped(&self) -> bool {
+    pub(crate) fn any_is_flipped(&self) -> bool {
         self.of_face.values().iter().any(|fate| fate.is_flipped)
     }
 
     /// The faces that stay, ascending.
-    pub(super) fn staying(&self) -> impl Iterator<Item = FaceId> + '_ {
+    pub(crate) fn staying(&self) -> impl Iterator<Item = FaceId> + '_ {
         self.of_face.iter().filter(|(_, fate)| fate.stays).map(|(face, _)| face)
     }
 
     /// The faces that go, ascending.
-    pub(super) fn going(&self) -> impl Iterator<Item = FaceId> + '_ {
+    pub(crate) fn going(&self) -> impl Iterator<Item = FaceId> + '_ {
         self.of_face.iter().filter(|(_, fate)| !fate.stays).map(|(face, _)| face)
     }
 
     /// The ids that faces have once those that go are gone. A face that goes has the id of one that stays.
     ///
     /// *Cost*: 4 bytes a face if some go, else none.
-    pub(super) fn new_ids(&self) -> NewIds {
+    pub(crate) fn new_ids(&self) -> NewIds {
         if self.all_stay() {
             return NewIds(None);
         }
@@ -71,10 +71,10 @@ impl Fates {
 }
 
 /// The ids of faces in the mesh that is made, by those in the mesh as it was.
-pub(super) struct NewIds(Option<Column<FaceId, FaceId>>);
+pub(crate) struct NewIds(Option<Column<FaceId, FaceId>>);
 
 impl NewIds {
-    pub(super) fn of(&self, face: FaceId) -> FaceId {
+    pub(crate) fn of(&self, face: FaceId) -> FaceId {
         self.0.as_ref().map_or(face, |ids| ids[face])
     }
 }

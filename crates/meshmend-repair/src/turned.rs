@@ -5,11 +5,11 @@ use meshmend_core::{
     CornerId, Draft, FaceId, FaceTableBuilder, FlippedNormals, Id, PolygonMesh, Provenance, Sources,
 };
 
-use super::fates::Fates;
 use crate::PassError;
+use crate::fates::Fates;
 
 /// The mesh that its faces' fates make of it.
-pub(super) fn rebuilt(
+pub(crate) fn turned(
     mesh: &PolygonMesh,
     fates: &Fates,
     flipped_normals: FlippedNormals,
