@@ -9,7 +9,8 @@
 //! * [`nesting`] tells what is inside of what, and what is inside out; [`passage`] how a ray passes a triangle.
 //! * [`internal_faces`] finds the faces inside of what closed components enclose.
 //! * [`fronts`] tells which side of an open component is seen.
-//! * Open places: [`t_junctions`] finds vertices on edges, [`open_loops`] tells holes from the rims of sheets.
+//! * Open places: [`t_junctions`] finds vertices on edges, [`heal`] decides which of them become corners there,
+//!   [`open_loops`] tells holes from the rims of sheets.
 //! * Fills: [`best_fill`] covers a hole with triangles, [`fan_cost`] judges a fan.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
 //!   [`is_straight`] points.
@@ -17,6 +18,7 @@
 pub mod boxes;
 pub mod exact;
 mod fill;
+mod heal;
 mod internal;
 mod intersections;
 mod meeting;
@@ -29,6 +31,7 @@ mod t_junctions;
 mod unit;
 
 pub use fill::{Fill, FillBy, FillCost, Opening, best_fill, direction_of_face, fan_cost};
+pub use heal::{Healed, HealedCorner, Insertion, LeftOpen, LeftTJunction, heal};
 pub use internal::{InternalFaces, internal_faces};
 pub use intersections::{
     Budget, CrossingSearch, FacePair, Figures, IntersectionOptions, Intersections, do_cross, intersections,

@@ -2,7 +2,8 @@
 
 mod shared;
 
-use meshmend_spatial::t_junctions;
+use meshmend_spatial::{heal, t_junctions};
+use serde_json::json;
 
 #[test]
 fn pairs_are_as_many_as_in_the_cases() {
@@ -16,5 +17,22 @@ fn pairs_are_as_many_as_in_the_cases() {
             case["file"]
         );
         assert!(found.iter().all(|junction| junction.distance <= within));
+    }
+}
+
+#[test]
+fn what_is_healed_is_as_in_the_cases() {
+    for (case, mesh) in shared::cases("t_junctions") {
+        let within = case["options"]["within"].as_str().map_or(0.0, |within| within.parse().unwrap());
+        let healed = heal(&mesh, within);
+        let mut inserted: Vec<[u32; 2]> = healed.insertions.iter().map(|i| [i.vertex.0, i.face.0]).collect();
+        inserted.sort_unstable();
+        let answer = json!({ "inserted": inserted, "left": healed.left.len() });
+        for question in ["inserted", "left"] {
+            for told in ["by_construction", "reference"] {
+                let expected = &case[told][question];
+                assert!(expected.is_null() || answer[question] == *expected, "{} {question}", case["file"]);
+            }
+        }
     }
 }

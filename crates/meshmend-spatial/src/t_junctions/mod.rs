@@ -14,11 +14,14 @@ mod near;
 mod place;
 mod point_tree;
 
-use meshmend_core::{FaceId, PolygonMesh, VertexId};
+use meshmend_core::{FaceId, Id, PolygonMesh, VertexId};
+use meshmend_geometry::vector::Point;
 use rayon::prelude::*;
 
-use boundary::Boundary;
-use near::vertices_on_edges;
+pub(crate) use boundary::{Boundary, welded_faces};
+pub(crate) use near::{OnEdges, vertices_on_edges};
+pub(crate) use place::{compare_distance, is_on, is_thin};
+pub(crate) use point_tree::PointTree;
 
 /// A vertex of the boundary on an edge of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,16 +44,26 @@ pub struct TJunction {
 pub fn t_junctions(mesh: &PolygonMesh, within: f64) -> Vec<TJunction> {
     let boundary = Boundary::welded(mesh);
     let on = vertices_on_edges(mesh.positions(), &boundary, within);
-    let found = on.pairs().par_iter().map(|&(edge, vertex)| {
-        let side = boundary.edges()[edge as usize];
-        let points = side.ends.map(|end| mesh.position(end));
-        let distance = if within > 0.0 { place::distance(mesh.position(vertex), points) } else { 0.0 };
-        let is_aligned = on.is_aligned(&boundary, edge, vertex);
-        TJunction { vertex, ends: side.ends, face: side.face, distance, is_aligned }
+    let found = on.pairs().par_iter().map(|&(edge, vertex)| TJunction {
+        is_aligned: on.is_aligned(&boundary, edge, vertex),
+        distance: if within > 0.0 { distance(mesh.positions(), &boundary, edge, vertex) } else { 0.0 },
+        ..junction(&boundary, edge, vertex)
     });
     let mut found: Vec<TJunction> = found.collect();
     found.par_sort_unstable_by_key(|junction| (junction.vertex, junction.ends));
     found
+}
+
+/// A vertex on a boundary edge, exactly on it and not aligned for all that is known.
+pub(crate) fn junction(boundary: &Boundary, edge: u32, vertex: VertexId) -> TJunction {
+    let side = boundary.edges()[edge as usize];
+    TJunction { vertex, ends: side.ends, face: side.face, distance: 0.0, is_aligned: false }
+}
+
+/// How far a vertex is from the line of a boundary edge, in doubles.
+pub(crate) fn distance(positions: &[Point], boundary: &Boundary, edge: u32, vertex: VertexId) -> f64 {
+    let ends = boundary.edges()[edge as usize].ends;
+    place::distance(positions[vertex.index()], ends.map(|end| positions[end.index()]))
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use super::place::is_on;
 use super::point_tree::PointTree;
 
 /// Pairs of an edge of the boundary and a vertex that lies on it.
-pub(super) struct OnEdges {
+pub(crate) struct OnEdges {
     /// Ascending.
     pairs: Vec<(u32, VertexId)>,
 }
@@ -17,7 +17,7 @@ pub(super) struct OnEdges {
 /// The vertices of a boundary that lie on its edges, within a distance: on edges of faces that they are no corners of.
 ///
 /// *Cost*: O(n log n + pairs), on all threads; 100 bytes an edge and 8 a pair.
-pub(super) fn vertices_on_edges(positions: &[Point], boundary: &Boundary, within: f64) -> OnEdges {
+pub(crate) fn vertices_on_edges(positions: &[Point], boundary: &Boundary, within: f64) -> OnEdges {
     let vertices = boundary.vertices();
     let tree = PointTree::of(vertices.iter().map(|vertex| positions[vertex.index()]));
     let of_edge = |edge: u32| {
@@ -38,7 +38,7 @@ pub(super) fn vertices_on_edges(positions: &[Point], boundary: &Boundary, within
 
 impl OnEdges {
     /// All pairs, ascending.
-    pub(super) fn pairs(&self) -> &[(u32, VertexId)] {
+    pub(crate) fn pairs(&self) -> &[(u32, VertexId)] {
         &self.pairs
     }
 
@@ -50,7 +50,7 @@ impl OnEdges {
     /// Whether one of the boundary edges of a vertex that lies on an edge runs along that edge.
     ///
     /// *Cost*: logarithmic for each boundary edge of the vertex.
-    pub(super) fn is_aligned(&self, boundary: &Boundary, edge: u32, vertex: VertexId) -> bool {
+    pub(crate) fn is_aligned(&self, boundary: &Boundary, edge: u32, vertex: VertexId) -> bool {
         let ends = boundary.edges()[edge as usize].ends;
         boundary.edges_at(vertex).filter(|&other| other != edge).any(|other| {
             let others = boundary.edges()[other as usize].ends;

@@ -6,7 +6,7 @@ use meshmend_geometry::vector::{Point, minus};
 const LEAF: usize = 8;
 
 /// A tree of boxes over finite points.
-pub(super) struct PointTree {
+pub(crate) struct PointTree {
     /// The points with their numbers, in the order of the boxes.
     points: Vec<(Point, u32)>,
     /// The boxes; the first one has all points.
@@ -26,7 +26,7 @@ impl PointTree {
     /// A tree over points, numbered as they come.
     ///
     /// *Cost*: O(n log n); 40 bytes a point.
-    pub(super) fn of(points: impl Iterator<Item = Point>) -> Self {
+    pub(crate) fn of(points: impl Iterator<Item = Point>) -> Self {
         let points = points.zip(0u32..).collect();
         let mut tree = PointTree { points, boxes: Vec::new() };
         if !tree.points.is_empty() {
@@ -62,7 +62,7 @@ impl PointTree {
     /// Visits the numbers of all points that are not farther than a distance from a segment, and of some others near it.
     ///
     /// *Cost*: logarithmic for each that is visited, unless the points crowd round the segment.
-    pub(super) fn visit_near(&self, segment: [Point; 2], within: f64, mut visit: impl FnMut(u32)) {
+    pub(crate) fn visit_near(&self, segment: [Point; 2], within: f64, mut visit: impl FnMut(u32)) {
         let segment = Segment::of(segment, within);
         let mut open = vec![0u32];
         while let Some(place) = open.pop() {
