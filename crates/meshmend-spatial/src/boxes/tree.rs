@@ -271,8 +271,8 @@ mod tests {
     fn some_item_is_found_where_there_is_one() {
         let all = boxes(100);
         let tree = BoxTree::over(100, |item| all[item]);
-        for wanted in 0..100 {
-            let enters = |bounds: &Bounds| bounds.overlaps(&all[wanted]);
+        for (wanted, of_it) in all.iter().enumerate() {
+            let enters = |bounds: &Bounds| bounds.overlaps(of_it);
             assert!(tree.any(enters, |item| item == wanted));
             assert!(!tree.any(enters, |_| false));
         }
