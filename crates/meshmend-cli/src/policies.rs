@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Arg, ArgMatches, Args, Command};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command};
 use meshmend::passes::{Emptying, OptionValues, PassOption, Passes, TriangulateFaces};
 use meshmend::{PassKind, Plan};
 
@@ -51,7 +51,7 @@ pub(crate) fn with_options(command: Command, passes: Passes) -> Command {
 fn argument(pass: PassKind, option: &'static PassOption) -> Arg {
     let argument = Arg::new(option.name).long(option.name).help(option.help).help_heading("Policies");
     match option.values {
-        OptionValues::Flag(word) => argument.num_args(0).default_missing_value(word),
+        OptionValues::Flag(_) => argument.action(ArgAction::SetTrue),
         OptionValues::Limits => argument.value_name("LIMITS").value_parser(|word: &str| {
             if word == OFF { Ok(word.to_owned()) } else { words::fill_loops(word).map(|_| word.to_owned()) }
         }),
@@ -71,7 +71,10 @@ impl Policies {
     /// Takes over what a command line says of the options of these passes.
     pub(crate) fn take(&mut self, matches: &ArgMatches, passes: Passes) {
         self.passes = passes;
-        let word = |option: &PassOption| matches.get_one::<String>(option.name).cloned();
+        let word = |option: &PassOption| match option.values {
+            OptionValues::Flag(word) => matches.get_flag(option.name).then(|| word.to_owned()),
+            _ => matches.get_one::<String>(option.name).cloned(),
+        };
         let said =
             passes.options().filter_map(|(pass, option)| Some(Said { pass, option, word: word(option)? }));
         self.said.extend(said);

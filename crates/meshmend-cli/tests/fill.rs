@@ -29,7 +29,8 @@ fn a_hole_is_filled_and_named_in_every_format() {
         }
         let after = meshmend(&["check", "--weld", "exact", "--json", &output]).succeeds().json();
         assert_eq!((&after["boundary_loops"], &after["manifold"]), (&json!(0), &json!(true)), "{output}");
-        let again = meshmend(&["repair", &output, "--dry-run", "--json", "--fill", "all"]).succeeds().json();
+        let again =
+            meshmend(&["repair", &output, "-o", &output, "--json", "--fill", "all"]).succeeds().json();
         assert_eq!(again["changed"], false, "{output}");
     }
 }
