@@ -125,6 +125,34 @@ fn a_slit_is_left() {
 }
 
 #[test]
+fn no_fill_lies_on_itself() {
+    // A wall of eight quads that goes round the same square twice: so do its two loops.
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let at =
+        |vertex: usize| [square[vertex % 4][0], square[vertex % 4][1], if vertex < 8 { 0.0 } else { 1.0 }];
+    let points: Vec<[f64; 3]> = (0..16).map(at).collect();
+    let corners = (0..8_u32).flat_map(|at| [at, (at + 1) % 8, (at + 1) % 8 + 8, at + 8]);
+    let starts: Vec<u32> = (0..=8).map(|face| face * 4).collect();
+    let mesh = PolygonMesh::from_polygons(&points, &corners.collect::<Vec<_>>(), &starts).unwrap();
+    for by in [FillWith::Fold, FillWith::Area, FillWith::Fan] {
+        let options = Fill { by, crossing: CrossingFills::Keep, ..Fill::default() };
+        let outcome = filled(&mesh, &options);
+        assert_eq!(outcome.loops.len(), 2);
+        let places = |face| {
+            let vertices = outcome.mesh.faces().face_vertices(face).iter();
+            let mut places: Vec<_> = vertices.map(|&v| outcome.mesh.position(v).map(f64::to_bits)).collect();
+            places.sort_unstable();
+            places
+        };
+        let mut made: Vec<_> = outcome.mesh.faces().faces().skip(8).map(places).collect();
+        let count = made.len();
+        made.sort_unstable();
+        made.dedup();
+        assert_eq!(made.len(), count, "{by:?}: {:?}", outcome.loops);
+    }
+}
+
+#[test]
 fn attributes_are_those_round_the_hole_where_these_agree() {
     let names = Values::Text(["steel", "wood"].map(|name| name.as_bytes().to_vec()).to_vec());
     let material = Layer::indexed("material", Domain::Face, 1, Carry::Copy, names, vec![1, 0, 0, 1, 0]);

@@ -1,7 +1,8 @@
 //! The mesh that comes of covering holes.
 
 use meshmend_core::{
-    CornerId, Draft, FaceTableBuilder, FilledHole, Id, PolygonMesh, Provenance, Sources, VertexDraft, VertexId,
+    CornerId, Draft, FaceTableBuilder, FilledHole, Id, PolygonMesh, Provenance, Sources, VertexDraft,
+    VertexId,
 };
 
 use super::hole::{Cover, Hole};

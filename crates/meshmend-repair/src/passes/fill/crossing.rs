@@ -54,7 +54,8 @@ pub(super) fn crossings(
 fn pieces(holes: &[Covered<'_>]) -> Vec<Piece> {
     let of_hole = |(hole, &(ring, cover)): (usize, &Covered<'_>)| -> Vec<Piece> {
         let of_cover = |cover: &Cover| {
-            let piece = |&triangle: &Triangle| Piece { hole, triangle, points: ring.points_of(cover, triangle) };
+            let piece =
+                |&triangle: &Triangle| Piece { hole, triangle, points: ring.points_of(cover, triangle) };
             cover.triangles.iter().map(piece).collect()
         };
         cover.map_or_else(Vec::new, of_cover)

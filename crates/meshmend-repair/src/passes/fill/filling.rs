@@ -13,7 +13,7 @@ use super::hole::{Choice, Cover, Hole, RoomAmid};
 use super::judging::Judged;
 use super::places::TrianglesByPlace;
 use super::record::{FillCrossing, LeftOpen, LoopFate, LoopRecord};
-use super::{Fill, CrossingFills};
+use super::{CrossingFills, Fill};
 use crate::{Context, PassError};
 
 /// What a round of filling gives.
@@ -40,16 +40,16 @@ pub(super) fn filled(
     if !holes.is_empty() {
         let mut room = RoomAmid { mesh, clearance: context.clearance, free: None };
         let choices = choices(options, mesh, &holes).into_iter();
-        let covers: Vec<Option<Cover>> =
+        let covers: Vec<Result<Cover, LeftOpen>> =
             choices.zip(&holes).map(|(choice, hole)| hole.cover(choice, &mut room)).collect();
         context.check_cancelled()?;
-        let covered: Vec<Covered<'_>> = holes.iter().zip(covers.iter().map(Option::as_ref)).collect();
-        let is_made = |crossing: Option<&FillCrossing>| {
-            options.crossing == CrossingFills::Keep || crossing.is_none()
-        };
+        let covered: Vec<Covered<'_>> =
+            holes.iter().zip(covers.iter().map(|cover| cover.as_ref().ok())).collect();
+        let is_made =
+            |crossing: Option<&FillCrossing>| options.crossing == CrossingFills::Keep || crossing.is_none();
         let crossings = crossings(&Surface::of(mesh)?, &covered, is_made);
-        for (&(hole, cover), crossing) in covered.iter().zip(crossings) {
-            let made = cover.filter(|_| is_made(crossing.as_ref()));
+        for ((hole, cover), crossing) in holes.iter().zip(&covers).zip(crossings) {
+            let made = cover.as_ref().ok().filter(|_| is_made(crossing.as_ref()));
             made.iter().for_each(|cover| built.add(hole, cover));
             fates.push((fate(cover, made), crossing));
         }
@@ -92,10 +92,10 @@ fn choices(options: &Fill, mesh: &PolygonMesh, holes: &[Hole<'_>]) -> Vec<Choice
 }
 
 /// What becomes of a loop with its cover, if it has one, and if that is made.
-fn fate(cover: Option<&Cover>, made: Option<&Cover>) -> LoopFate {
+fn fate(cover: &Result<Cover, LeftOpen>, made: Option<&Cover>) -> LoopFate {
     match (cover, made) {
-        (None, _) => LoopFate::Left { left: LeftOpen::Flat },
-        (Some(_), None) => LoopFate::Left { left: LeftOpen::Crossing },
+        (Err(left), _) => LoopFate::Left { left: *left },
+        (Ok(_), None) => LoopFate::Left { left: LeftOpen::Crossing },
         (_, Some(Cover { shape, triangles, cost, .. })) => {
             LoopFate::Filled { fill: *shape, faces: triangles.len(), fold: cost.fold, area: cost.area }
         }

@@ -10,7 +10,7 @@ use meshmend_spatial::{
 
 use super::judging::SideBeside;
 use super::places::TrianglesByPlace;
-use super::record::FillShape;
+use super::record::{FillShape, LeftOpen};
 use super::{Fill, FillWith};
 use crate::Clearance;
 
@@ -28,8 +28,8 @@ pub(super) enum Choice {
     Triangles(Triangles),
     /// A fan.
     Fan,
-    /// Every fill has no area.
-    Flat,
+    /// None.
+    Left(LeftOpen),
 }
 
 /// What covers a hole.
@@ -93,20 +93,27 @@ impl<'a> Hole<'a> {
             FillWith::Fan => None,
         };
         let fill = by.and_then(|by| self.asked(edges, there, |opening| best_fill(opening, by)));
+        let is_folded = |fill: &Triangles| {
+            let triangles = fill.triangles.iter().map(|t| t.map(|corner| self.vertices[corner]));
+            !self.is_apart(there) && there.are_repeated(triangles)
+        };
         match fill {
-            Some(fill) if fill.cost.zero_area == fill.triangles.len() => Choice::Flat,
-            Some(fill) => Choice::Triangles(fill),
-            None if is_straight(&self.points) => Choice::Flat,
-            None => Choice::Fan,
+            Some(fill) if fill.cost.zero_area == fill.triangles.len() => Choice::Left(LeftOpen::Flat),
+            Some(fill) if !is_folded(&fill) => Choice::Triangles(fill),
+            _ if is_straight(&self.points) => Choice::Left(LeftOpen::Flat),
+            _ if !self.is_apart(there) && there.runs_twice(&self.vertices) => {
+                Choice::Left(LeftOpen::Repeated)
+            }
+            _ => Choice::Fan,
         }
     }
 
-    /// The cover that was chosen, if it has an area.
-    pub(super) fn cover(&self, choice: Choice, room: &mut RoomAmid<'_>) -> Option<Cover> {
+    /// The cover that was chosen, or why there is none.
+    pub(super) fn cover(&self, choice: Choice, room: &mut RoomAmid<'_>) -> Result<Cover, LeftOpen> {
         match choice {
-            Choice::Flat => None,
+            Choice::Left(reason) => Err(reason),
             Choice::Triangles(Triangles { triangles, cost }) => {
-                Some(Cover { shape: FillShape::Triangles, triangles, centre: None, cost })
+                Ok(Cover { shape: FillShape::Triangles, triangles, centre: None, cost })
             }
             Choice::Fan => {
                 let (count, centre) = (self.points.len(), room.take_amid(&self.points));
@@ -119,7 +126,7 @@ impl<'a> Hole<'a> {
                     is_there: &|_| false,
                 };
                 let cost = fan_cost(&opening, centre);
-                Some(Cover { shape: FillShape::Fan, triangles, centre: Some(centre), cost })
+                Ok(Cover { shape: FillShape::Fan, triangles, centre: Some(centre), cost })
             }
         }
     }

@@ -131,7 +131,8 @@ impl Judge<'_> {
         let mut boxes: Vec<[Point; 2]> = vec![empty; components.count()];
         for vertex in kernel.vertices() {
             let Some(component) = components.of_vertex(vertex) else { continue };
-            let (point, [low, high]) = (self.mesh.position(vertex), &mut boxes[ComponentId::index(component)]);
+            let (point, [low, high]) =
+                (self.mesh.position(vertex), &mut boxes[ComponentId::index(component)]);
             for axis in 0..3 {
                 low[axis] = low[axis].min(point[axis]);
                 high[axis] = high[axis].max(point[axis]);

@@ -53,6 +53,23 @@ impl TrianglesByPlace {
         }
     }
 
+    /// Whether two of some new triangles have the same places.
+    pub(super) fn are_repeated(&self, triangles: impl Iterator<Item = [VertexId; 3]>) -> bool {
+        let mut places: Vec<[VertexId; 3]> = triangles.map(|triangle| self.places(triangle)).collect();
+        places.sort_unstable();
+        places.windows(2).any(|two| two[0] == two[1])
+    }
+
+    /// Whether two sides of a loop run between the same places.
+    pub(super) fn runs_twice(&self, vertices: &[VertexId]) -> bool {
+        let after = vertices.iter().cycle().skip(1);
+        let place = |vertex: VertexId| self.lowest[vertex.index()];
+        let sides = vertices.iter().zip(after).map(|(&from, &to)| (place(from), place(to)));
+        let mut sides: Vec<_> = sides.map(|(from, to)| (from.min(to), from.max(to))).collect();
+        sides.sort_unstable();
+        sides.windows(2).any(|two| two[0] == two[1])
+    }
+
     fn places(&self, triangle: [VertexId; 3]) -> [VertexId; 3] {
         let mut places = triangle.map(|vertex| self.lowest[vertex.index()]);
         places.sort_unstable();
