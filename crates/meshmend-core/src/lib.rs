@@ -43,8 +43,8 @@ pub use changes::{Blend, Draft, DraftError, FilledHole, Loose, Provenance, Sourc
 pub use classes::{Classes, Joined, SidedClasses};
 pub use column::Column;
 pub use defects::{
-    Defect, DefectKind, Defects, Detail, Element, Found, Listed, Rule, RuleError, Rules, Severity, Strip,
-    Unjudged,
+    Defect, DefectKind, Defects, Detail, Element, Found, Lie, Listed, Rule, RuleError, Rules, Severity,
+    Strip, Unjudged,
 };
 pub use edges::{EdgeSide, EdgeTable};
 pub use faces::{

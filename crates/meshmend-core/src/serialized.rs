@@ -57,7 +57,7 @@ impl Serialize for Defect {
             Detail::BoundaryOnly(answer) => map.serialize_entry("boundary_only", answer)?,
             Detail::Differs(differs) => map.serialize_entry("differs", differs)?,
             Detail::Unjudged(reason) => map.serialize_entry("reason", reason)?,
-            Detail::Word(word) => map.serialize_entry("how", word)?,
+            Detail::Lies(lie) => map.serialize_entry("how", lie.name())?,
         }
         map.serialize_entry("message", &self.to_string())?;
         map.end()

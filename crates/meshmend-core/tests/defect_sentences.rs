@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "these are tests")]
 
-use meshmend_core::{Aspect, Defect, EdgeId, FaceId, Unjudged, VertexId};
+use meshmend_core::{Aspect, Defect, EdgeId, FaceId, Lie, Unjudged, VertexId};
 
 #[test]
 fn every_defect_says_where_it_is() {
@@ -53,15 +53,15 @@ fn every_defect_says_where_it_is() {
             "the patch of f1, 2 faces in all, encloses no volume",
         ),
         (Defect::turned_cavity(face, 12), "the closed patch of f1, 12 faces in all, is inside another"),
-        (Defect::crossing_faces(FaceId(0), face, "overlap in one plane"), "f0 and f1 overlap in one plane"),
+        (Defect::crossing_faces(FaceId(0), face, Lie::Overlapping), "f0 and f1 overlap in one plane"),
         (Defect::coincident_faces(face, FaceId(0)), "f1 lies on f0"),
-        (Defect::touching_faces(FaceId(0), face, "edge-face"), "f0 and f1 touch: edge-face"),
+        (Defect::touching_faces(FaceId(0), face, Lie::EdgeFace), "f0 and f1 touch: edge-face"),
         (Defect::self_crossing_face(face), "f1 crosses itself"),
         (Defect::t_junction(VertexId(9), edge, ends, true), "v9 lies on e2 v3-v4 (aligned)"),
         (Defect::internal_face(face), "f1 is inside on both sides"),
         (Defect::internal_component(face, 4), "the component of f1, 4 faces in all, is inside others"),
         (Defect::zero_area_face(face), "f1 has no area"),
-        (Defect::sliver_face(face, "needle"), "f1 is a needle"),
+        (Defect::sliver_face(face, Lie::Needle), "f1 is a needle"),
         (Defect::inside_out_component(face, 12), "the component of f1, 12 faces in all, looks inward"),
         (
             Defect::solid_within(face, 12),

@@ -1,6 +1,6 @@
 //! Two faces whose insides have a common point.
 
-use super::{Defect, DefectKind, Detail, Element, Found, Listed, Rule, Severity};
+use super::{Defect, DefectKind, Detail, Element, Found, Lie, Listed, Rule, Severity};
 use crate::FaceId;
 
 pub(super) const RULE: Rule = Rule {
@@ -18,10 +18,10 @@ pub(super) const RULE: Rule = Rule {
 };
 
 impl Defect {
-    /// Two faces whose insides have a common point. `how` they do is a word or two.
-    pub fn crossing_faces(face: FaceId, other: FaceId, how: &'static str) -> Self {
+    /// Two faces whose insides have a common point. `how` says how they do.
+    pub fn crossing_faces(face: FaceId, other: FaceId, how: Lie) -> Self {
         Defect::new(DefectKind::CrossingFaces, Element::Face(face))
             .beside(Element::Face(other))
-            .with(Detail::Word(how))
+            .with(Detail::Lies(how))
     }
 }

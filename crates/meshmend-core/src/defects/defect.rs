@@ -83,7 +83,7 @@ impl fmt::Display for Detail {
             Detail::None | Detail::BoundaryOnly(false) => Ok(()),
             Detail::BoundaryOnly(true) => f.write_str(", all open"),
             Detail::Differs(differs) => write!(f, "{differs}"),
-            Detail::Word(word) => f.write_str(word),
+            Detail::Lies(lie) => f.write_str(lie.name()),
             Detail::Unjudged(Unjudged::Open) => f.write_str("is open"),
             Detail::Unjudged(Unjudged::NoVolume) => f.write_str("encloses no volume"),
         }

@@ -59,7 +59,7 @@ mod vocabulary;
 
 pub use element::{Element, Strip};
 pub use rules::{RuleError, Rules};
-pub use vocabulary::{Defect, DefectKind, Defects, Detail, Found, Listed, Rule, Severity, Unjudged};
+pub use vocabulary::{Defect, DefectKind, Defects, Detail, Found, Lie, Listed, Rule, Severity, Unjudged};
 
 use std::fmt;
 

@@ -1,6 +1,6 @@
 //! A triangle that is far longer than it is high.
 
-use super::{Defect, DefectKind, Detail, Element, Found, Listed, Rule, Severity};
+use super::{Defect, DefectKind, Detail, Element, Found, Lie, Listed, Rule, Severity};
 use crate::FaceId;
 
 pub(super) const RULE: Rule = Rule {
@@ -18,7 +18,7 @@ pub(super) const RULE: Rule = Rule {
 
 impl Defect {
     /// A triangle that is far longer than it is high. `shape` is a needle or a cap.
-    pub fn sliver_face(face: FaceId, shape: &'static str) -> Self {
-        Defect::new(DefectKind::SliverFace, Element::Face(face)).with(Detail::Word(shape))
+    pub fn sliver_face(face: FaceId, shape: Lie) -> Self {
+        Defect::new(DefectKind::SliverFace, Element::Face(face)).with(Detail::Lies(shape))
     }
 }

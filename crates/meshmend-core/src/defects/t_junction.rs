@@ -1,6 +1,6 @@
 //! A vertex of the boundary that lies on an edge of the boundary.
 
-use super::{Defect, DefectKind, Detail, Element, Found, Listed, Rule, Severity};
+use super::{Defect, DefectKind, Detail, Element, Found, Lie, Listed, Rule, Severity};
 use crate::{EdgeId, VertexId};
 
 pub(super) const RULE: Rule = Rule {
@@ -19,9 +19,9 @@ pub(super) const RULE: Rule = Rule {
 impl Defect {
     /// A vertex of the boundary that lies on an edge of the boundary.
     pub fn t_junction(vertex: VertexId, edge: EdgeId, ends: [VertexId; 2], is_aligned: bool) -> Self {
-        let how = if is_aligned { "aligned" } else { "not aligned" };
+        let how = if is_aligned { Lie::Aligned } else { Lie::NotAligned };
         Defect::new(DefectKind::TJunction, Element::Vertex(vertex))
             .beside(Element::Edge { edge, ends })
-            .with(Detail::Word(how))
+            .with(Detail::Lies(how))
     }
 }

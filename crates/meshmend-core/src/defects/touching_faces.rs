@@ -1,6 +1,6 @@
 //! Two faces that touch where they share neither a corner nor an edge.
 
-use super::{Defect, DefectKind, Detail, Element, Found, Listed, Rule, Severity};
+use super::{Defect, DefectKind, Detail, Element, Found, Lie, Listed, Rule, Severity};
 use crate::FaceId;
 
 pub(super) const RULE: Rule = Rule {
@@ -17,10 +17,10 @@ pub(super) const RULE: Rule = Rule {
 };
 
 impl Defect {
-    /// Two faces that touch where they share neither a corner nor an edge. `how` they do is a word or two.
-    pub fn touching_faces(face: FaceId, other: FaceId, how: &'static str) -> Self {
+    /// Two faces that touch where they share neither a corner nor an edge. `how` says how they do.
+    pub fn touching_faces(face: FaceId, other: FaceId, how: Lie) -> Self {
         Defect::new(DefectKind::TouchingFaces, Element::Face(face))
             .beside(Element::Face(other))
-            .with(Detail::Word(how))
+            .with(Detail::Lies(how))
     }
 }

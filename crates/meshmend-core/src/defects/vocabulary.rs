@@ -40,8 +40,51 @@ pub enum Detail {
     Differs(Differences),
     /// Why a patch was not judged.
     Unjudged(Unjudged),
-    /// How it is, in a word or two.
-    Word(&'static str),
+    /// How faces or vertices lie.
+    Lies(Lie),
+}
+
+/// How faces or vertices lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Lie {
+    /// Two faces pass through one another.
+    Through,
+    /// Two faces overlap in one plane.
+    Overlapping,
+    /// An edge of one face lies on the inside of another.
+    EdgeFace,
+    /// Edges of two faces cross or overlap.
+    EdgeEdge,
+    /// A corner of one face lies on the inside of another.
+    VertexFace,
+    /// A corner of one face lies on an edge of another.
+    VertexEdge,
+    /// A vertex lies on an edge, and one of its own edges runs along that.
+    Aligned,
+    /// A vertex lies on an edge, and none of its own edges runs along that.
+    NotAligned,
+    /// A triangle has two corners close to each other.
+    Needle,
+    /// A triangle has one corner close to the edge between the others.
+    Cap,
+}
+
+impl Lie {
+    /// It in a word or two, as reports have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Lie::Through => "pass through one another",
+            Lie::Overlapping => "overlap in one plane",
+            Lie::EdgeFace => "edge-face",
+            Lie::EdgeEdge => "edge-edge",
+            Lie::VertexFace => "vertex-face",
+            Lie::VertexEdge => "vertex-edge",
+            Lie::Aligned => "aligned",
+            Lie::NotAligned => "not aligned",
+            Lie::Needle => "needle",
+            Lie::Cap => "cap",
+        }
+    }
 }
 
 /// Why it can't be told which side of a patch is the outer one.

@@ -2,12 +2,14 @@
 
 mod questions;
 
-use meshmend_core::{Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, PolygonMesh, VertexId};
+use meshmend_core::{
+    Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, Lie, PolygonMesh, VertexId,
+};
 use meshmend_repair::PassError;
 use meshmend_spatial::{
     Contact, FacePair, InternalFaces, IntersectionOptions, Intersections, NestedComponent, Nesting,
-    NestingState, OpenLoop, Shapes, Surface, TJunction, internal_faces, intersections, nesting, open_loops,
-    shapes, t_junctions,
+    NestingState, OpenLoop, Shapes, Sliver, SliverKind, Surface, TJunction, internal_faces, intersections,
+    nesting, open_loops, shapes, t_junctions,
 };
 
 pub use self::questions::{GeometryOptions, Question, Questions};
@@ -132,7 +134,7 @@ impl GeometryReport {
             }
             DefectKind::SliverFace => {
                 let slivers = self.shapes.iter().flat_map(|shapes| &shapes.slivers);
-                Box::new(slivers.map(|sliver| Defect::sliver_face(sliver.face, sliver.kind.name())))
+                Box::new(slivers.map(sliver_face))
             }
             _ => Box::new(std::iter::empty()),
         }
@@ -158,7 +160,7 @@ const TOUCHING: [Contact; 4] =
 
 fn crossing(pair: &FacePair) -> Defect {
     let [one, other] = pair.faces;
-    let how = if pair.is_coplanar { "overlap in one plane" } else { "pass through one another" };
+    let how = if pair.is_coplanar { Lie::Overlapping } else { Lie::Through };
     Defect::crossing_faces(one, other, how)
 }
 
@@ -168,7 +170,23 @@ fn coincident(pair: &FacePair) -> Defect {
 }
 
 fn touching(pair: &FacePair) -> Defect {
-    Defect::touching_faces(pair.faces[0], pair.faces[1], pair.contact.name())
+    let how = match pair.contact {
+        Contact::EdgeFace => Lie::EdgeFace,
+        Contact::EdgeEdge => Lie::EdgeEdge,
+        Contact::VertexFace => Lie::VertexFace,
+        Contact::VertexEdge => Lie::VertexEdge,
+        // The contacts of other kinds.
+        Contact::FaceFace | Contact::Coincident => Lie::Through,
+    };
+    Defect::touching_faces(pair.faces[0], pair.faces[1], how)
+}
+
+fn sliver_face(sliver: &Sliver) -> Defect {
+    let shape = match sliver.kind {
+        SliverKind::Needle => Lie::Needle,
+        SliverKind::Cap => Lie::Cap,
+    };
+    Defect::sliver_face(sliver.face, shape)
 }
 
 fn of_component(defect: fn(FaceId, u32) -> Defect) -> impl Fn(&NestedComponent) -> Defect {

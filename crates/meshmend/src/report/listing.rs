@@ -105,7 +105,7 @@ impl FacesRound {
 
 #[cfg(test)]
 mod tests {
-    use meshmend_core::{DefectKind, Differences, EdgeId, FaceTable, Unjudged};
+    use meshmend_core::{DefectKind, Differences, EdgeId, FaceTable, Lie, Unjudged};
 
     use super::*;
 
@@ -132,14 +132,14 @@ mod tests {
             (Defect::polygon_face(face, 4), whole_face.clone()),
             (Defect::unjudged_patch(face, 1, Unjudged::Open), whole_face.clone()),
             (Defect::turned_cavity(face, 1), whole_face.clone()),
-            (Defect::crossing_faces(face, FaceId(2), "overlap in one plane"), whole_face.clone()),
+            (Defect::crossing_faces(face, FaceId(2), Lie::Overlapping), whole_face.clone()),
             (Defect::coincident_faces(face, FaceId(0)), whole_face.clone()),
-            (Defect::touching_faces(face, FaceId(2), "edge-face"), whole_face.clone()),
+            (Defect::touching_faces(face, FaceId(2), Lie::EdgeFace), whole_face.clone()),
             (Defect::self_crossing_face(face), whole_face.clone()),
             (Defect::internal_face(face), whole_face.clone()),
             (Defect::internal_component(face, 1), whole_face.clone()),
             (Defect::zero_area_face(face), whole_face.clone()),
-            (Defect::sliver_face(face, "cap"), whole_face.clone()),
+            (Defect::sliver_face(face, Lie::Cap), whole_face.clone()),
             (Defect::t_junction(vertex, edge, ends, true), vec![4]),
             (Defect::inside_out_component(face, 1), whole_face.clone()),
             (Defect::solid_within(face, 1), whole_face.clone()),

@@ -14,7 +14,7 @@ use super::judging::Judged;
 use super::places::TrianglesByPlace;
 use super::record::{FillCrossing, LeftOpen, LoopFate, LoopRecord};
 use super::{CrossingFills, Fill};
-use crate::{Context, PassError};
+use crate::{Clearance, Context, PassError};
 
 /// What a round of filling gives.
 pub(super) struct Filled {
@@ -39,7 +39,7 @@ pub(super) fn filled(
     let mut fates = Vec::new();
     if !holes.is_empty() {
         let mut room = RoomAmid { mesh, clearance: context.clearance, free: None };
-        let choices = choices(options, mesh, &holes).into_iter();
+        let choices = choices(options, mesh, &holes, context.clearance).into_iter();
         let covers: Vec<Result<Cover, LeftOpen>> =
             choices.zip(&holes).map(|(choice, hole)| hole.cover(choice, &mut room)).collect();
         context.check_cancelled()?;
@@ -73,9 +73,9 @@ pub(super) fn filled(
 ///
 /// Holes whose vertices have places of their own can't get the same triangles, so they are looked at all at once; the others one
 /// after another.
-fn choices(options: &Fill, mesh: &PolygonMesh, holes: &[Hole<'_>]) -> Vec<Choice> {
+fn choices(options: &Fill, mesh: &PolygonMesh, holes: &[Hole<'_>], clearance: Clearance) -> Vec<Choice> {
     let edges = Edges::new(Cow::Borrowed(mesh.complex().edges().all_ends()), mesh.counts().vertices);
-    let mut there = TrianglesByPlace::of(mesh);
+    let mut there = TrianglesByPlace::of(mesh, clearance);
     let at_once = |hole: &Hole<'_>| hole.is_apart(&there).then(|| hole.choice(options, &edges, &there));
     let first: Vec<Option<Choice>> = holes.par_iter().map(at_once).collect();
     let in_turn = |(choice, hole): (Option<Choice>, &Hole<'_>)| {

@@ -75,7 +75,9 @@ impl<'a> Hole<'a> {
             let ends = [self.vertices[one], self.vertices[other]];
             edges.contains([ends[0].min(ends[1]), ends[0].max(ends[1])])
         };
-        let is_there = |corners: [usize; 3]| there.contains(corners.map(|corner| self.vertices[corner]));
+        let is_apart = self.is_apart(there);
+        let is_there =
+            |corners: [usize; 3]| !is_apart && there.excludes(corners.map(|corner| self.vertices[corner]));
         ask(&Opening {
             points: &self.points,
             vertices: &self.vertices,

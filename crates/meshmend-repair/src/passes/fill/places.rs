@@ -3,7 +3,11 @@
 use std::collections::BTreeSet;
 
 use meshmend_core::{Id, PolygonMesh, VertexId};
-use meshmend_geometry::coincident::coincident_vertices;
+use meshmend_geometry::Precision;
+use meshmend_geometry::coincident::{coincident_in_single, coincident_vertices};
+use meshmend_geometry::proximity::proximity_classes;
+
+use crate::Clearance;
 
 /// The triangles that have a corner at a place that vertices share.
 pub(super) struct TrianglesByPlace {
@@ -15,9 +19,18 @@ pub(super) struct TrianglesByPlace {
 }
 
 impl TrianglesByPlace {
+    /// Vertices are in one place when a weld of the result would join them.
+    ///
     /// *Cost*: linear, and O(n log n) in the triangles at shared places.
-    pub(super) fn of(mesh: &PolygonMesh) -> Self {
-        let lowest = coincident_vertices(mesh);
+    pub(super) fn of(mesh: &PolygonMesh, clearance: Clearance) -> Self {
+        let exactly = || match clearance.apart {
+            Precision::Double => coincident_vertices(mesh),
+            Precision::Single => coincident_in_single(mesh),
+        };
+        let within = (clearance.tolerance > 0.0)
+            .then(|| proximity_classes(mesh.positions(), clearance.tolerance, &|| true).ok())
+            .flatten();
+        let lowest = within.unwrap_or_else(exactly);
         let mut is_shared = vec![false; lowest.len()];
         for (vertex, low) in lowest.iter().enumerate() {
             if low.index() != vertex {
@@ -41,9 +54,10 @@ impl TrianglesByPlace {
         self.is_shared[vertex.index()]
     }
 
-    /// Whether a triangle is there, either way round, at a place that vertices share.
-    pub(super) fn contains(&self, triangle: [VertexId; 3]) -> bool {
-        !self.triangles.is_empty() && self.triangles.contains(&self.places(triangle))
+    /// Whether a triangle is there, either way round, at a place that vertices share; or has two corners in one place.
+    pub(super) fn excludes(&self, triangle: [VertexId; 3]) -> bool {
+        let places = self.places(triangle);
+        places[0] == places[1] || places[1] == places[2] || self.triangles.contains(&places)
     }
 
     /// Adds a triangle, if one of its places is shared.
@@ -60,14 +74,14 @@ impl TrianglesByPlace {
         places.windows(2).any(|two| two[0] == two[1])
     }
 
-    /// Whether two sides of a loop run between the same places.
+    /// Whether two sides of a loop run between the same places, or one within a place.
     pub(super) fn runs_twice(&self, vertices: &[VertexId]) -> bool {
         let after = vertices.iter().cycle().skip(1);
         let place = |vertex: VertexId| self.lowest[vertex.index()];
         let sides = vertices.iter().zip(after).map(|(&from, &to)| (place(from), place(to)));
         let mut sides: Vec<_> = sides.map(|(from, to)| (from.min(to), from.max(to))).collect();
         sides.sort_unstable();
-        sides.windows(2).any(|two| two[0] == two[1])
+        sides.iter().any(|(from, to)| from == to) || sides.windows(2).any(|two| two[0] == two[1])
     }
 
     fn places(&self, triangle: [VertexId; 3]) -> [VertexId; 3] {

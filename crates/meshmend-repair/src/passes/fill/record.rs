@@ -97,7 +97,8 @@ pub enum LeftOpen {
     Area,
     /// Every fill has no area: it is a slit, which welding closes.
     Flat,
-    /// It runs twice between the same places: every fill has two faces in one place.
+    /// It runs twice between the same places, or within one place: every fill has two faces in one place, or a face that
+    /// welding would remove.
     Repeated,
     /// Its fill would cross a face or another fill.
     Crossing,
@@ -118,7 +119,7 @@ impl LeftOpen {
             LeftOpen::LoneFace => "its component is a single face",
             LeftOpen::NoSide => "the faces round it have no common side",
             LeftOpen::NotFinite => "a corner of its component is not finite",
-            LeftOpen::Repeated => "it runs twice between the same places",
+            LeftOpen::Repeated => "it runs twice between the same places, or within one place",
             LeftOpen::NotSimple => "it shares a vertex with itself or another loop",
             LeftOpen::Edges => "it has more edges than the limit",
             LeftOpen::Length => "it is longer than the limit",
