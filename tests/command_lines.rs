@@ -34,6 +34,7 @@ fn good(argument: &Arg) -> (String, bool) {
         (_, "CELL") => ("v0", false),
         (_, "SHAPE") => ("torus", false),
         (_, "DISTANCE") => ("1%", false),
+        (_, "LIMITS") => ("all", false),
         // Which kinds there are hangs on the rules of the program, which judges the word itself.
         (_, "KIND") => ("degenerate-face", true),
         (_, "FORMAT") => ("ply", false),
@@ -106,10 +107,14 @@ fn every_option_takes_its_values_and_no_other() {
     for command in whole.get_subcommands().filter(|command| command.get_name() != "help") {
         let options = command.get_arguments().filter(|argument| !argument.is_positional());
         for argument in options.filter(|argument| !matches!(argument.get_action(), ArgAction::Help)) {
-            let with =
-                |value: &str| [least(command, argument), vec![option(argument), value.to_owned()]].concat();
+            let words = |value: &str| match argument.is_require_equals_set() {
+                true => vec![format!("{}={value}", option(argument))],
+                false => vec![option(argument), value.to_owned()],
+            };
+            let with = |value: &str| [least(command, argument), words(value)].concat();
             let bare = [least(command, argument), vec![option(argument)]].concat();
-            assert_eq!(run(&bare), is_flag(argument), "{bare:?}");
+            let needs_no_value = argument.get_num_args().is_some_and(|count| count.min_values() == 0);
+            assert_eq!(run(&bare), needs_no_value, "{bare:?}");
             if is_flag(argument) {
                 continue;
             }

@@ -20,9 +20,7 @@
 use meshmend_core::{CornerId, Defect, DefectKind, PolygonMesh, Provenance};
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
-};
+use crate::{Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word};
 
 mod borders;
 mod built;

@@ -29,7 +29,8 @@ pub(super) fn repeated_components(
     for part in (0..turns.len()).rev().filter(|&part| cycles.are_all_shared(nesting, part)) {
         let may_be_it = |other: usize| other != part && !is_gone[other] && (turns[part] || turns[other]);
         let repeated = cycles.others_of(part).into_iter().filter(|&other| may_be_it(other));
-        let mut originals = repeated.filter_map(|other| cycles.originals(mesh, telling.as_ref(), part, other));
+        let mut originals =
+            repeated.filter_map(|other| cycles.originals(mesh, telling.as_ref(), part, other));
         if let Some(originals) = originals.next() {
             is_gone[part] = true;
             gone.extend(originals.into_iter().map(|(face, original)| Defect::duplicate_face(face, original)));
@@ -121,9 +122,9 @@ impl Cycles {
     fn looks(&self, mesh: &PolygonMesh, face: FaceId) -> Looks {
         let complex = mesh.complex();
         let faces = complex.faces();
-        let corners = faces.face_corners(face).map(|corner| {
-            (self.lowest[faces.corner_vertex(corner).index()], complex.stored_corner(corner))
-        });
+        let corners = faces
+            .face_corners(face)
+            .map(|corner| (self.lowest[faces.corner_vertex(corner).index()], complex.stored_corner(corner)));
         Looks::new(face, corners.collect())
     }
 }
