@@ -47,7 +47,7 @@ fn started(count: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
     ThreadPoolBuilder::new().num_threads(count).build()
 }
 
-/// The thread that calls, as a pool; nothing where it belongs to another pool, which will do.
+/// The calling thread as a pool. `None` if it belongs to another pool already: work then runs there.
 fn alone() -> Option<ThreadPool> {
     ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().ok()
 }

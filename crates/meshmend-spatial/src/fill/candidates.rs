@@ -6,6 +6,7 @@ use meshmend_geometry::polygon::{Avoid, Polygon, Triangle, triangulate_polygon};
 use super::ears::by_ears;
 use super::flips::flipped;
 use super::measure::{FillCost, measure};
+use super::neighbours::ascending;
 use super::scaled::Scaled;
 use super::{FillBy, Opening};
 
@@ -35,10 +36,4 @@ pub(super) fn best_candidate(opening: &Opening<'_>, scaled: &Scaled, by: FillBy)
         triangles.sort_unstable();
         triangles
     })
-}
-
-/// A triangle with its places in ascending order: the way round that the loop has.
-pub(super) fn ascending(mut triangle: Triangle) -> Triangle {
-    triangle.sort_unstable();
-    triangle
 }

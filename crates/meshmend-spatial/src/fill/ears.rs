@@ -5,8 +5,8 @@ use std::collections::BinaryHeap;
 
 use meshmend_geometry::polygon::Triangle;
 
-use super::candidates::ascending;
 use super::facet::{Direction, Facet};
+use super::neighbours::ascending;
 use super::scaled::Scaled;
 use super::{FillBy, Opening};
 

@@ -5,7 +5,7 @@
 
 use meshmend_geometry::vector::{Point, area_vector, cross, dot, minus};
 
-use super::scaled::factor_for;
+use super::factor::factor_for;
 use crate::exact::are_collinear;
 
 /// Below this square of the sine at a corner, products are computed exactly.
@@ -13,7 +13,7 @@ const SLIM: f64 = 1e-8;
 /// Below this square it is asked whether the triangle has an area at all.
 const NEARLY_FLAT: f64 = 1e-24;
 
-/// A vector of length 1 and the number 1, or all zeros where there is no direction.
+/// A vector of length 1, and behind it the number 1. Without a direction all four numbers are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Direction([f64; 4]);
 

@@ -6,17 +6,16 @@ use std::collections::VecDeque;
 
 use meshmend_geometry::polygon::Triangle;
 
-use super::candidates::ascending;
 use super::facet::{Direction, Facet};
 use super::measure::FillCost;
-use super::neighbours::{Across, Side, neighbours, sides_of};
+use super::neighbours::{Across, Side, ascending, neighbours, sides_of};
 use super::scaled::Scaled;
 use super::{EQUAL, FillBy, Opening};
 
 /// For each triangle so many flips are made at most.
 const MOST_FLIPS: usize = 16;
 
-/// An admissible fill as flips make it better; as it is where it is no fill.
+/// An admissible fill, made better by flips. What is not a fill stays as it is.
 ///
 /// *Cost*: O(n log n).
 pub(super) fn flipped(

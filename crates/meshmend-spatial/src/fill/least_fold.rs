@@ -35,8 +35,8 @@ pub(super) struct FoldLimit {
     pub(super) is_possible: Vec<bool>,
 }
 
-/// The least greatest fold of an admissible fill with the fewest triangles of zero area; `None` where there is no admissible
-/// one.
+/// The least greatest fold of an admissible fill with the fewest triangles of zero area; `None` if no fill is
+/// admissible.
 ///
 /// *Cost*: O(n⁴) for n corners at worst, mostly n³.
 pub(super) fn least_fold(ranges: &Ranges<'_>) -> Option<FoldLimit> {

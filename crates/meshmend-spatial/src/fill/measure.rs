@@ -33,7 +33,7 @@ impl FillCost {
     }
 }
 
-/// What the triangles of a fill cost; `None` if they are no admissible fill.
+/// What the triangles of a fill cost; `None` if they do not fill the opening admissibly.
 ///
 /// *Cost*: O(n log n).
 pub(super) fn measure(opening: &Opening<'_>, scaled: &Scaled, triangles: &[Triangle]) -> Option<FillCost> {

@@ -14,6 +14,7 @@
 mod candidates;
 mod ears;
 mod facet;
+mod factor;
 mod flips;
 
 mod least_area;

@@ -1,4 +1,4 @@
-//! Which triangles of a fill lie side by side.
+//! The way round that triangles of a fill have, and which of them lie side by side.
 
 use meshmend_geometry::polygon::Triangle;
 
@@ -13,6 +13,12 @@ pub(super) enum Across {
 
 /// A side by the places of its ends, the lower first.
 pub(super) type Side = [usize; 2];
+
+/// A triangle with its places in ascending order: the way round that the loop has.
+pub(super) fn ascending(mut triangle: Triangle) -> Triangle {
+    triangle.sort_unstable();
+    triangle
+}
 
 /// The sides of a triangle with ascending places.
 pub(super) fn sides_of([a, b, c]: Triangle) -> [Side; 3] {

@@ -1,9 +1,10 @@
 //! The points of an opening in a size at which products of coordinates neither overflow nor vanish.
 
-use meshmend_geometry::vector::{Point, is_finite, length};
+use meshmend_geometry::vector::{Point, length};
 
 use super::Opening;
 use super::facet::{Direction, Facet};
+use super::factor::factor_for;
 
 /// The corners of an opening, scaled by a power of two, and the directions beside its sides.
 pub(super) struct Scaled {
@@ -52,15 +53,4 @@ impl Scaled {
     pub(super) fn unscaled_area(&self, area: f64) -> f64 {
         area / self.factor / self.factor
     }
-}
-
-/// Coordinates of this size, or of one over it, need no scale.
-const USUAL: f64 = 1e60;
-
-/// The power of two that brings the largest coordinate near 1; 1 where there is none, or where it is of a usual size.
-pub(super) fn factor_for(points: &[Point]) -> f64 {
-    let finite = points.iter().filter(|point| is_finite(point)).flatten();
-    let largest = finite.fold(0.0f64, |most, x| most.max(x.abs()));
-    let is_usual = largest == 0.0 || (1.0 / USUAL..USUAL).contains(&largest);
-    if is_usual { 1.0 } else { (-largest.log2().floor()).clamp(-1020.0, 1020.0).exp2() }
 }

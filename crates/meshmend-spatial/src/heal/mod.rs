@@ -14,6 +14,7 @@
 
 mod chains;
 mod crowd;
+mod left_open;
 mod lie;
 mod record;
 mod round;
@@ -24,7 +25,8 @@ use meshmend_core::{Complex, PolygonMesh};
 
 use crate::t_junctions::{Boundary, vertices_on_edges, welded_faces};
 
-pub use record::{Healed, HealedCorner, Insertion, LeftOpen, LeftTJunction};
+pub use left_open::LeftOpen;
+pub use record::{Healed, HealedCorner, Insertion, LeftTJunction};
 
 use record::{Place, Recorder};
 use round::Round;

@@ -3,6 +3,7 @@
 use meshmend_core::{CornerId, FaceId, FaceTable, FaceTableBuilder, Id, VertexId};
 use meshmend_geometry::vector::{Point, dot, minus};
 
+use super::left_open::LeftOpen;
 use super::round::Round;
 use crate::t_junctions::{Boundary, OnEdges, TJunction, distance, junction};
 use crate::unit::Unit;
@@ -56,34 +57,6 @@ pub struct LeftTJunction {
     pub junction: TJunction,
     /// Why it stays.
     pub reason: LeftOpen,
-}
-
-/// Why a T-junction is not healed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum LeftOpen {
-    /// No boundary edge of the vertex runs along the edge.
-    Foreign,
-    /// Another corner of the face is near the edge's line, so that the face could turn over.
-    Thin,
-    /// The vertex would be a corner of the face twice.
-    Repeated,
-    /// Two sides or more of other edges would run along a part of the edge.
-    Crowded,
-    /// No two sides of different faces, which don't lie on each other, would run along a part of the edge.
-    Unmatched,
-}
-
-impl LeftOpen {
-    /// The reason in a word, as reports have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            LeftOpen::Foreign => "foreign",
-            LeftOpen::Thin => "thin",
-            LeftOpen::Repeated => "repeated",
-            LeftOpen::Crowded => "crowded",
-            LeftOpen::Unmatched => "unmatched",
-        }
-    }
 }
 
 /// Where vertices are, and how far from an edge they count as on it.

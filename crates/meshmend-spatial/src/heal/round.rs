@@ -7,8 +7,8 @@ use meshmend_geometry::vector::Point;
 
 use super::chains::{Cuts, Piece, Pieces, pieces, sort_along};
 use super::crowd::Crowd;
+use super::left_open::LeftOpen;
 use super::lie::lie_on_each_other;
-use super::record::LeftOpen;
 use crate::t_junctions::{Boundary, OnEdges, is_thin};
 
 /// The decisions of a round.

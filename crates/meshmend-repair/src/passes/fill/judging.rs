@@ -143,7 +143,7 @@ impl Judge<'_> {
     }
 }
 
-/// Whether a loop is that of a single triangle, which hangs on others by a vertex: a fill would be its back.
+/// Whether a loop runs round one triangle that meets others at a vertex alone. Its fill would be the back of that triangle.
 fn is_back_of_a_face<K: Connectivity>(kernel: &K, sides: &[SideBeside]) -> bool {
     let first = sides.first().map(|side| side.face);
     let is_triangle = first.is_some_and(|face| kernel.face_corners(face).count() == 3);
