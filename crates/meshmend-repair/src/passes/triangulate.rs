@@ -15,14 +15,11 @@
 //! defect. *Cost*: O(n³) for faces up to 64 corners, O(n²) up to 4096 and mostly n log n, O(n log n) beyond.
 
 use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh, distinct_count};
-use meshmend_geometry::FreePoints;
-use meshmend_geometry::vector::Point;
-use meshmend_geometry::{FaceCutter, OnDiagonal, Room};
+use meshmend_geometry::{FaceCutter, GatheredRoom};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Clearance, Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow,
-    Word,
+    Clearance, Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
 };
 use meshmend_geometry::coincident::coincident_vertices;
 
@@ -95,7 +92,7 @@ impl Pass for Triangulate {
 fn cut_all(mesh: &PolygonMesh, clearance: Clearance) -> Result<Outcome, PassError> {
     let lowest = coincident_vertices(mesh);
     let mut cutter = FaceCutter::new(mesh, &lowest);
-    let mut room = BesideMesh { mesh, clearance, free: None };
+    let mut room = GatheredRoom::new(|| clearance.free_points(mesh));
     let (mut fixed, mut left) = (Vec::new(), Vec::new());
     for face in mesh.faces().faces() {
         let vertices = mesh.faces().face_vertices(face);
@@ -115,27 +112,4 @@ fn cut_all(mesh: &PolygonMesh, clearance: Clearance) -> Result<Outcome, PassErro
     }
     let rebuilt = mesh.rebuild(cutter.into_draft()?)?;
     Ok(Outcome { left, ..Outcome::changed(rebuilt, fixed) })
-}
-
-/// Room beside the vertices of a mesh. The vertices are gathered when a place is first asked for.
-struct BesideMesh<'a> {
-    mesh: &'a PolygonMesh,
-    clearance: Clearance,
-    free: Option<FreePoints>,
-}
-
-impl BesideMesh<'_> {
-    fn free(&mut self) -> &mut FreePoints {
-        let (mesh, clearance) = (self.mesh, self.clearance);
-        self.free.get_or_insert_with(|| clearance.free_points(mesh))
-    }
-}
-
-impl Room for BesideMesh<'_> {
-    fn is_between(&mut self, ends: [Point; 2]) -> bool {
-        self.free().is_room_on_edge(ends)
-    }
-    fn take_between(&mut self, ends: [Point; 2]) -> OnDiagonal {
-        self.free().on_edge(ends)
-    }
 }

@@ -2,7 +2,7 @@
 
 use meshmend_core::{CornerId, Draft, FaceId, FaceTableError, Id, PolygonMesh, VertexId, distinct_count};
 use meshmend_geometry::vector::Point;
-use meshmend_geometry::{FaceCutter, FreePoints, OnDiagonal, Room, Spacing};
+use meshmend_geometry::{FaceCutter, FreePoints, GatheredRoom, Spacing};
 
 use super::triangle::Triangle;
 
@@ -17,7 +17,8 @@ impl Cut {
     /// Cuts every simple face of more than three corners, in order, as the choice of a diagonal depends on those before it.
     pub(super) fn of(mesh: &PolygonMesh, lowest: &[VertexId]) -> Result<Self, FaceTableError> {
         let mut cutter = FaceCutter::new(mesh, lowest);
-        let mut room = BesideMesh { mesh, free: None };
+        let gather = || FreePoints::beside(Spacing::default(), mesh.positions().iter().copied());
+        let mut room = GatheredRoom::new(gather);
         let mut starts = Vec::with_capacity(mesh.counts().faces + 1);
         for face in mesh.faces().faces() {
             starts.push(cutter.face_count() as u32);
@@ -69,26 +70,4 @@ fn inside(places: [Option<usize>; 3], count: usize) -> impl Iterator<Item = u8> 
         _ => true,
     };
     corners.chain((0..3).filter(move |&at| is_diagonal(at)).map(|at| 1 << at | 1 << ((at + 1) % 3)))
-}
-
-/// Room beside the vertices of a mesh. The vertices are gathered when a place is first asked for.
-struct BesideMesh<'a> {
-    mesh: &'a PolygonMesh,
-    free: Option<FreePoints>,
-}
-
-impl BesideMesh<'_> {
-    fn free(&mut self) -> &mut FreePoints {
-        let vertices = self.mesh.positions().iter().copied();
-        self.free.get_or_insert_with(|| FreePoints::beside(Spacing::default(), vertices))
-    }
-}
-
-impl Room for BesideMesh<'_> {
-    fn is_between(&mut self, ends: [Point; 2]) -> bool {
-        self.free().is_room_on_edge(ends)
-    }
-    fn take_between(&mut self, ends: [Point; 2]) -> OnDiagonal {
-        self.free().on_edge(ends)
-    }
 }

@@ -3,13 +3,13 @@
 use std::borrow::Cow;
 
 use meshmend_core::{CornerId, PolygonMesh, Provenance, VertexId};
-use meshmend_geometry::Edges;
+use meshmend_geometry::{Edges, GatheredRoom};
 use meshmend_spatial::Surface;
 use rayon::prelude::*;
 
 use super::built::Built;
 use super::crossing::{Covered, crossings};
-use super::hole::{Choice, Cover, Hole, RoomAmid};
+use super::hole::{Choice, Cover, Hole};
 use super::judging::Judged;
 use super::places::TrianglesByPlace;
 use super::record::{FillCrossing, LeftOpen, LoopFate, LoopRecord};
@@ -38,7 +38,7 @@ pub(super) fn filled(
     let mut built = Built::of(mesh);
     let mut fates = Vec::new();
     if !holes.is_empty() {
-        let mut room = RoomAmid { mesh, clearance: context.clearance, free: None };
+        let mut room = GatheredRoom::new(|| context.clearance.free_points(mesh));
         let choices = choices(options, mesh, &holes, context.clearance).into_iter();
         let covers: Vec<Result<Cover, LeftOpen>> =
             choices.zip(&holes).map(|(choice, hole)| hole.cover(choice, &mut room)).collect();

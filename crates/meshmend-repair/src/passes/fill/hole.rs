@@ -3,7 +3,7 @@
 use meshmend_core::{FaceId, PolygonMesh, VertexId};
 use meshmend_geometry::polygon::Triangle;
 use meshmend_geometry::vector::Point;
-use meshmend_geometry::{Edges, FreePoints};
+use meshmend_geometry::{Edges, FreePoints, GatheredRoom};
 use meshmend_spatial::{
     Fill as Triangles, FillBy, FillCost, Opening, best_fill, direction_of_face, fan_cost, is_straight,
 };
@@ -12,7 +12,6 @@ use super::judging::SideBeside;
 use super::places::TrianglesByPlace;
 use super::record::{FillShape, LeftOpen};
 use super::{Fill, FillWith};
-use crate::Clearance;
 
 /// A loop that is to be filled, with its own lists.
 pub(super) struct Hole<'a> {
@@ -111,14 +110,18 @@ impl<'a> Hole<'a> {
     }
 
     /// The cover that was chosen, or why there is none.
-    pub(super) fn cover(&self, choice: Choice, room: &mut RoomAmid<'_>) -> Result<Cover, LeftOpen> {
+    pub(super) fn cover(
+        &self,
+        choice: Choice,
+        room: &mut GatheredRoom<impl FnMut() -> FreePoints>,
+    ) -> Result<Cover, LeftOpen> {
         match choice {
             Choice::Left(reason) => Err(reason),
             Choice::Triangles(Triangles { triangles, cost }) => {
                 Ok(Cover { shape: FillShape::Triangles, triangles, centre: None, cost })
             }
             Choice::Fan => {
-                let (count, centre) = (self.points.len(), room.take_amid(&self.points));
+                let (count, centre) = (self.points.len(), room.free().amid(&self.points));
                 let triangles = (0..count).map(|corner| [corner, (corner + 1) % count, count]).collect();
                 let opening = Opening {
                     points: &self.points,
@@ -137,19 +140,5 @@ impl<'a> Hole<'a> {
     pub(super) fn points_of(&self, cover: &Cover, triangle: Triangle) -> [Point; 3] {
         let beyond = cover.centre.unwrap_or([f64::NAN; 3]);
         triangle.map(|corner| self.points.get(corner).copied().unwrap_or(beyond))
-    }
-}
-
-/// Room for new vertices in a mesh. Its vertices are gathered when a place is first asked for.
-pub(super) struct RoomAmid<'a> {
-    pub(super) mesh: &'a PolygonMesh,
-    pub(super) clearance: Clearance,
-    pub(super) free: Option<FreePoints>,
-}
-
-impl RoomAmid<'_> {
-    fn take_amid(&mut self, points: &[Point]) -> Point {
-        let (mesh, clearance) = (self.mesh, self.clearance);
-        self.free.get_or_insert_with(|| clearance.free_points(mesh)).amid(points)
     }
 }
