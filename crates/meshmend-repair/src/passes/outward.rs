@@ -25,9 +25,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::fates::Fates;
 use crate::turned::turned;
-use crate::{
-    Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
-};
+use crate::{Context, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word};
 use repeats::repeated_components;
 
 /// Turns whole components so that each shows its front.
@@ -192,11 +190,8 @@ fn was_wrong(part: &NestedComponent) -> Option<Defect> {
 
 /// Decides by sight on the open components whose faces agree.
 fn see(mesh: &PolygonMesh, nesting: &Nesting, wishes: &mut [Wish]) -> Result<(), PassError> {
-    let is_open = |part: &NestedComponent| {
-        part.is_oriented && matches!(part.reason, Some(NoSpace::Open(_)))
-    };
-    let open: Vec<usize> =
-        (0..wishes.len()).filter(|&part| is_open(&nesting.components[part])).collect();
+    let is_open = |part: &NestedComponent| part.is_oriented && matches!(part.reason, Some(NoSpace::Open(_)));
+    let open: Vec<usize> = (0..wishes.len()).filter(|&part| is_open(&nesting.components[part])).collect();
     for (&part, front) in open.iter().zip(fronts(mesh, nesting, &open)?) {
         wishes[part] = match front {
             Front::Shown => Wish::Kept,
