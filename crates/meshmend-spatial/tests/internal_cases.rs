@@ -10,7 +10,7 @@ fn internal_faces_are_as_many_as_those_of_the_cases() {
     for (case, mesh) in shared::cases("nesting") {
         let surface = Surface::of(&mesh).unwrap();
         let met = intersections(&surface, IntersectionOptions::default());
-        let found = internal_faces(&surface, &met, &nesting(&mesh).unwrap()).unwrap();
+        let found = internal_faces(&surface, &met, &nesting(&surface)).unwrap();
         for known in ["by_construction", "reference"] {
             if let Value::Number(count) = &case[known]["internal"] {
                 assert_eq!(count.as_u64(), Some(found.internal.len() as u64), "{}", case["file"]);

@@ -2,13 +2,13 @@
 
 mod shared;
 
-use meshmend_spatial::{NestingState, nesting};
+use meshmend_spatial::{NestingState, Surface, nesting};
 use serde_json::json;
 
 #[test]
 fn components_are_nested_as_in_the_cases() {
     for (case, mesh) in shared::cases("nesting") {
-        let found = nesting(&mesh).unwrap().components;
+        let found = nesting(&Surface::of(&mesh).unwrap()).components;
         let states: Vec<_> = found.iter().map(|part| part.state.map(NestingState::name)).collect();
         let depths: Vec<_> = found.iter().map(|part| part.depth).collect();
         let answer = json!({ "states": states, "depths": depths });

@@ -20,7 +20,7 @@
 mod repeats;
 
 use meshmend_core::{Defect, DefectKind, FaceId, FlippedNormals, PolygonMesh};
-use meshmend_spatial::{Front, NestedComponent, Nesting, NestingState, NoSpace, fronts, nesting};
+use meshmend_spatial::{Front, NestedComponent, Nesting, NestingState, NoSpace, Surface, fronts, nesting};
 use serde::{Deserialize, Serialize};
 
 use crate::fates::Fates;
@@ -86,7 +86,7 @@ impl Pass for Outward {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        let nesting = nesting(mesh)?;
+        let nesting = nesting(&Surface::of(mesh)?);
         context.check_cancelled()?;
         let mut wishes: Vec<Wish> = nesting.components.iter().map(|part| self.wish(part)).collect();
         if self.turn == Turn::Visible {

@@ -29,7 +29,7 @@ fn boxes(all: &[([i32; 3], [i32; 3], bool)]) -> PolygonMesh {
 fn found(mesh: &PolygonMesh) -> InternalFaces {
     let surface = Surface::of(mesh).unwrap();
     let met = intersections(&surface, IntersectionOptions::default());
-    internal_faces(&surface, &met, &nesting(mesh).unwrap()).unwrap()
+    internal_faces(&surface, &met, &nesting(&surface)).unwrap()
 }
 
 #[test]

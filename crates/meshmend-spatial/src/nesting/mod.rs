@@ -16,7 +16,7 @@ mod depth;
 mod parts;
 mod passage;
 
-use meshmend_core::{Column, EdgeId, FaceId, FaceTableError, PolygonMesh};
+use meshmend_core::{Column, EdgeId, FaceId};
 use meshmend_geometry::vector::{Point, cross, dot, minus};
 
 use crate::Surface;
@@ -119,21 +119,18 @@ impl Nesting {
     }
 }
 
-/// What is inside of what in a mesh.
-///
-/// # Errors
-/// When the triangles of its faces have more corners than a table holds.
+/// What is inside of what in the mesh of a surface.
 ///
 /// *Cost*: O(n log n) for components that touch each other at few points, on all threads; for each that touches another,
 /// each of its points on that one costs a search.
-pub fn nesting(mesh: &PolygonMesh) -> Result<Nesting, FaceTableError> {
-    let surface = Surface::of(mesh)?;
-    let parts = parts(mesh, &surface);
-    let depths = depths(mesh, &surface, &parts);
-    let triangles = parts.triangles(&surface);
+pub fn nesting(surface: &Surface<'_>) -> Nesting {
+    let mesh = surface.mesh();
+    let parts = parts(mesh, surface);
+    let depths = depths(mesh, surface, &parts);
+    let triangles = parts.triangles(surface);
     let judged = parts.list.iter().zip(depths).zip(&triangles);
     let components = judged.map(|((part, depth), triangles)| judged_part(part, depth, triangles)).collect();
-    Ok(Nesting { components, of_face: parts.of_face })
+    Nesting { components, of_face: parts.of_face }
 }
 
 fn judged_part(part: &Part, depth: Option<u32>, triangles: &[[Point; 3]]) -> NestedComponent {
@@ -171,6 +168,7 @@ fn volume(triangles: &[[Point; 3]]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use meshmend_core::PolygonMesh;
     use proptest::prelude::*;
 
     use super::*;
@@ -201,7 +199,11 @@ mod tests {
     }
 
     fn states(mesh: &PolygonMesh) -> Vec<(Option<u32>, Option<NestingState>)> {
-        nesting(mesh).unwrap().components.into_iter().map(|part| (part.depth, part.state)).collect()
+        nesting(&Surface::of(mesh).unwrap())
+            .components
+            .into_iter()
+            .map(|part| (part.depth, part.state))
+            .collect()
     }
 
     #[test]
@@ -212,7 +214,8 @@ mod tests {
             let expected = [(1, Cavity), (3, SolidWithin), (0, Outward), (2, InsideOut)];
             assert_eq!(states(&mesh), expected.map(|(depth, state)| (Some(depth), Some(state))), "{scale}");
         }
-        let found = nesting(&cubes(&[(1.0, true), (2.0, false)], 1.0)).unwrap();
+        let mesh = cubes(&[(1.0, true), (2.0, false)], 1.0);
+        let found = nesting(&Surface::of(&mesh).unwrap());
         assert_eq!(
             found.components.iter().map(|part| part.volume).collect::<Vec<_>>(),
             [Some(8.0), Some(-64.0)]
@@ -224,7 +227,7 @@ mod tests {
     fn what_encloses_no_space_says_why() {
         let reason = |points: &[Point], faces: &[[u32; 3]]| {
             let mesh = PolygonMesh::from_triangles(points, faces).unwrap();
-            let [part] = &nesting(&mesh).unwrap().components[..] else { panic!("one") };
+            let [part] = &nesting(&Surface::of(&mesh).unwrap()).components[..] else { panic!("one") };
             (part.depth, part.reason)
         };
         let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0; 3]];

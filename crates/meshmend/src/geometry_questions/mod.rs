@@ -39,33 +39,38 @@ impl GeometryReport {
     /// When the distance is not a finite, non-negative number, or the triangles of the faces have more corners than a table
     /// holds.
     ///
-    /// *Cost*: that of [`intersections`], [`t_junctions`], [`open_loops`], [`nesting`], [`internal_faces`] and [`shapes`], as far as they are asked.
+    /// *Cost*: that of [`intersections`], [`t_junctions`], [`open_loops`], [`nesting`], [`internal_faces`] and
+    /// [`shapes`], as far as they are asked.
     pub fn of(mesh: &PolygonMesh, options: &GeometryOptions) -> Result<Self, PassError> {
         let asks = |question| options.questions.contains(question);
         let mut report = GeometryReport::default();
-        let asks_internal = asks(Question::Internal);
-        let surface =
-            if asks(Question::Crossings) || asks_internal { Some(Surface::of(mesh)?) } else { None };
-        if let Some(surface) = &surface {
-            let how = IntersectionOptions { budget: options.budget, limit: options.limit };
-            report.intersections = Some(intersections(surface, how));
+        if [Question::Crossings, Question::Nesting, Question::Internal].into_iter().any(asks) {
+            report.ask_surface(&Surface::of(mesh)?, options);
         }
         if asks(Question::TJunctions) {
             report.t_junctions = Some(t_junctions(mesh, near(mesh, options)?));
             report.loops = Some(open_loops(&EdgeUse::build(mesh.complex())?, mesh));
         }
-        if asks(Question::Nesting) || asks_internal {
-            report.nesting = Some(nesting(mesh)?);
-        }
-        if let (true, Some(surface), Some(found), Some(nesting)) =
-            (asks_internal, &surface, &report.intersections, &report.nesting)
-        {
-            report.internal = internal_faces(surface, found, nesting);
-        }
         if asks(Question::Shape) {
             report.shapes = Some(shapes(mesh, options.aspect));
         }
         Ok(report)
+    }
+
+    /// Asks what the triangles of all faces tell.
+    fn ask_surface(&mut self, surface: &Surface<'_>, options: &GeometryOptions) {
+        let asks = |question| options.questions.contains(question);
+        let asks_internal = asks(Question::Internal);
+        if asks_internal || asks(Question::Crossings) {
+            let how = IntersectionOptions { budget: options.budget, limit: options.limit };
+            self.intersections = Some(intersections(surface, how));
+        }
+        if asks_internal || asks(Question::Nesting) {
+            self.nesting = Some(nesting(surface));
+        }
+        if let (true, Some(found), Some(nesting)) = (asks_internal, &self.intersections, &self.nesting) {
+            self.internal = internal_faces(surface, found, nesting);
+        }
     }
 
     /// How many defects of a kind were found. Of pairs of faces, where the search stopped at its budget, how many are listed.
@@ -139,9 +144,7 @@ impl GeometryReport {
             _ => Box::new(std::iter::empty()),
         }
     }
-}
 
-impl GeometryReport {
     /// The components all of whose faces are internal.
     fn internal_components(&self) -> Vec<Defect> {
         let (Some(nesting), Some(found)) = (&self.nesting, &self.internal) else { return Vec::new() };
