@@ -71,7 +71,7 @@ impl GeometryWords {
             return Ok(None);
         }
         let near = match self.near.view().distance() {
-            Some(near) if near != Distance::Single => near,
+            Some(near @ (Distance::Exact | Distance::Absolute(_) | Distance::Relative(_))) => near,
             _ => return Err(Failure::usage("--near takes exact, a length or a percentage".to_owned())),
         };
         let budget = self.pair_budget.map_or(Budget::Usual, Budget::Tests);

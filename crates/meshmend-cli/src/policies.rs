@@ -95,6 +95,7 @@ impl Policies {
         if self.allow_empty {
             plan.empty = Emptying::Allow;
         }
+        plan.check_order().map_err(|error| Failure::usage(error.to_string()))?;
         Ok(plan)
     }
 
@@ -168,8 +169,8 @@ fn read_plan(path: &Path, passes: Passes) -> Result<Plan, Failure> {
 mod tests {
     use clap::{CommandFactory, FromArgMatches, Parser};
     use meshmend::passes::{
-        Duplicates, FillLimits, FillLoops, FillRims, FillWith, LooseElements, NonFinite, NonOrientable,
-        Repeated, Side, SplitEdges, Turn,
+        Duplicates, FillLimits, FillLoops, FillRims, FillWith, HealWithin, LooseElements, NonFinite,
+        NonOrientable, Repeated, Side, SplitEdges, Turn,
     };
     use meshmend::{Distance, FlippedNormals};
 
@@ -247,6 +248,18 @@ mod tests {
         assert_eq!(loose.each_ref().map(|c| c.loose_edges), [LooseElements::Remove, LooseElements::Keep]);
         assert_eq!(loose.each_ref().map(|c| c.loose_points), [LooseElements::Remove, LooseElements::Keep]);
         assert_eq!(with("--clean", "on").passes, Plan::default().passes);
+    }
+
+    #[test]
+    fn t_junctions_are_healed_when_asked_for_after_orient() {
+        let within = |word: &str| plan(&["--heal", word]).map(|plan| plan.heal.within);
+        let ways = ["exact", "0.5", "1%"].map(|word| within(word).unwrap());
+        assert_eq!(ways, [HealWithin::Exact, HealWithin::Absolute(0.5), HealWithin::Relative(0.01)]);
+        let names: Vec<&str> =
+            plan(&["--heal", "exact"]).unwrap().passes.iter().map(|pass| pass.name()).collect();
+        assert!(names.windows(3).any(|three| three == ["orient", "heal", "split"]), "{names:?}");
+        assert_eq!(plan(&["--heal", "off"]).unwrap(), Plan::default());
+        assert!(within("single").is_err() && plan(&["--heal", "exact", "--orient", "off"]).is_err());
     }
 
     #[test]

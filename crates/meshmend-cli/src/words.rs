@@ -46,7 +46,8 @@ pub(crate) fn viewed(weld: Option<Welding>, file: &ReadFile, path: &Path) -> Res
     view(weld, file).of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))
 }
 
-/// Reads `none`, `off`, `exact`, `single`, a length, or a percentage of the bounding box's diagonal.
+/// Reads `none`, `off`, `exact`, `single`, a length, or a percentage of the bounding box's diagonal; the last two also behind
+/// `boundary:`.
 pub(crate) fn welding(word: &str) -> Result<Welding, String> {
     match word {
         "none" | "off" => return Ok(Welding::Off),
@@ -54,21 +55,24 @@ pub(crate) fn welding(word: &str) -> Result<Welding, String> {
         "single" => return Ok(Welding::Within(Distance::Single)),
         _ => {}
     }
-    let (number, is_percentage) = match word.strip_suffix('%') {
-        Some(number) => (number, true),
+    let (length, is_boundary) = match word.strip_prefix("boundary:") {
+        Some(length) => (length, true),
         None => (word, false),
     };
-    match number.trim().parse::<f64>() {
-        Ok(length) if length.is_finite() && length >= 0.0 => Ok(Welding::Within(if is_percentage {
-            Distance::Relative(length / 100.0)
-        } else {
-            Distance::Absolute(length)
-        })),
-        _ => {
-            Err("expected none, exact, single, a length such as 0.001, or a percentage such as 0.01%"
-                .to_owned())
-        }
-    }
+    let (number, is_percentage) = match length.strip_suffix('%') {
+        Some(number) => (number, true),
+        None => (length, false),
+    };
+    let number = number.trim().parse::<f64>().ok().filter(|number| number.is_finite() && *number >= 0.0);
+    let number = number.ok_or(
+        "expected none, exact, single, a length such as 0.001, a percentage such as 0.01%, or boundary: with either of these",
+    )?;
+    Ok(Welding::Within(match (is_boundary, is_percentage) {
+        (false, false) => Distance::Absolute(number),
+        (false, true) => Distance::Relative(number / 100.0),
+        (true, false) => Distance::Boundary(number),
+        (true, true) => Distance::BoundaryRelative(number / 100.0),
+    }))
 }
 
 /// Reads which holes are filled: `all`, or limits such as `edges:12,length:5%,area:0.5`.
@@ -187,10 +191,14 @@ mod tests {
         assert_eq!(welding("single"), Ok(Welding::Within(Distance::Single)));
         assert_eq!(welding("1e-3"), Ok(Welding::Within(Distance::Absolute(1e-3))));
         assert_eq!(welding("50%"), Ok(Welding::Within(Distance::Relative(0.5))));
+        assert_eq!(welding("boundary:0.5"), Ok(Welding::Within(Distance::Boundary(0.5))));
+        assert_eq!(welding("boundary:1%"), Ok(Welding::Within(Distance::BoundaryRelative(0.01))));
         for off in ["none", "off"] {
             assert_eq!(welding(off), Ok(Welding::Off));
         }
-        for wrong in ["", "%", "-1", "nan", "inf", "1e999", "Exact", "3 mm"] {
+        for wrong in
+            ["", "%", "-1", "nan", "inf", "1e999", "Exact", "3 mm", "boundary", "boundary:", "boundary:exact"]
+        {
             assert!(welding(wrong).is_err(), "{wrong}");
         }
     }

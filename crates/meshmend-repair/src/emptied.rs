@@ -129,5 +129,7 @@ fn weld_option(distance: Distance) -> String {
         Distance::Single => "--weld single".to_owned(),
         Distance::Absolute(length) => format!("--weld {length}"),
         Distance::Relative(part) => format!("--weld {}%", part * 100.0),
+        Distance::Boundary(length) => format!("--weld boundary:{length}"),
+        Distance::BoundaryRelative(part) => format!("--weld boundary:{}%", part * 100.0),
     }
 }

@@ -30,6 +30,7 @@ mod session;
 mod sewing;
 mod stored_vertices;
 mod telling;
+mod tolerance;
 mod turned;
 
 pub use clearance::{Clearance, Subdivision, Unused};

@@ -14,7 +14,9 @@ use meshmend_topology::{TopologyReport, Witness, topology_with};
 use thiserror::Error;
 
 use crate::sewing::KeptSewing;
-use crate::{Clearance, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures, TellingLayers};
+use crate::{
+    Clearance, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures, TJunctionRecord, TellingLayers,
+};
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
 pub trait Pass: Any + fmt::Debug + Send + Sync {
@@ -73,6 +75,8 @@ pub struct Outcome {
     pub differed: Vec<(FaceId, Differences)>,
     /// What became of each boundary loop, where the pass judged them, by lowest vertex.
     pub loops: Vec<LoopRecord>,
+    /// What became of each vertex on an open edge, where the pass judged them, by vertex and ends.
+    pub t_junctions: Vec<TJunctionRecord>,
 }
 
 impl Outcome {
@@ -92,6 +96,7 @@ impl Outcome {
             seam: None,
             differed: Vec::new(),
             loops: Vec::new(),
+            t_junctions: Vec::new(),
         }
     }
 }

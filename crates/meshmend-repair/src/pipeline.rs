@@ -13,9 +13,9 @@ pub use self::storage::{FaceStorage, Writing};
 use crate::figures::Figures;
 use crate::session::Aim;
 use crate::{
-    AnyPass, Clearance, Compact, Distance, Emptied, Emptying, Fixed, Looked, LoopRecord, NonOrientable,
+    AnyPass, Clearance, Compact, Distance, Emptied, Emptying, Fixed, Heal, Looked, LoopRecord, NonOrientable,
     Orient, Pass, PassError, PassKind, Plan, Precision, Repeated, SeamFigures, Seams, Session, Side,
-    Subdivision, Unused, Weld,
+    Subdivision, TJunctionRecord, Unused, Weld,
 };
 
 /// Passes in order, with their options.
@@ -105,6 +105,8 @@ pub struct PassRecord {
     pub seam: Option<SeamFigures>,
     /// What became of each boundary loop, where the pass judged them, by lowest vertex.
     pub loops: Vec<LoopRecord>,
+    /// What became of each vertex on an open edge, where the pass judged them, by vertex and ends.
+    pub t_junctions: Vec<TJunctionRecord>,
     /// How the pass came to know the topology of the mesh, if it uses that.
     pub looked: Option<Looked>,
 }
@@ -247,6 +249,26 @@ impl Pipeline {
                 session.apply(pass.clone())?;
             } else {
                 session.skip(pass)?;
+            }
+            if let AnyPass::Heal(heal) = pass {
+                self.heal_further(heal, session)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Orients what was healed and heals it again, in turn, until one of both changes nothing.
+    ///
+    /// Faces that are neighbours now may run against each other, and where patches that repeat others go, edges are open anew.
+    fn heal_further(&self, heal: &Heal, session: &mut Session<'_>) -> Result<(), PassError> {
+        let is_orient = |pass: &&AnyPass| pass.kind() == PassKind::Orient;
+        let Some(orient) = self.passes.iter().find(is_orient) else { return Ok(()) };
+        let has_changed =
+            |session: &Session<'_>| session.records().last().is_some_and(|last| last.is_changed);
+        while has_changed(session) {
+            session.apply(orient.clone())?;
+            if has_changed(session) {
+                session.apply(heal.clone())?;
             }
         }
         Ok(())

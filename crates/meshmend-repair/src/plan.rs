@@ -17,6 +17,9 @@
 //! duplicates = "keep"                 # remove-pair, keep-first
 //! flipped-normals = "negate"          # keep
 //!
+//! [heal]                              # only where `passes` names it
+//! within = "exact"                    # { absolute = 0.01 }, { relative = 1e-6 }
+//!
 //! [split]
 //! edges = "sheets"                    # cut, pinch-only
 //!
@@ -74,7 +77,7 @@ impl Plan {
     /// ```
     ///
     /// # Errors
-    /// When the text is not TOML, or says something that no pass knows.
+    /// When the text is not TOML, says something that no pass knows, or is refused by [`check_order`](Self::check_order).
     pub fn from_toml(text: &str) -> Result<Self, PlanError> {
         Plan::from_toml_with(text, Passes::builtin())
     }
@@ -86,7 +89,29 @@ impl Plan {
     pub fn from_toml_with(text: &str, passes: Passes) -> Result<Self, PlanError> {
         let read =
             toml::Deserializer::parse(text).and_then(|deserializer| PlanOf(passes).deserialize(deserializer));
-        read.map_err(|error| PlanError(error.to_string().trim_end().to_owned()))
+        let plan = read.map_err(|error| PlanError(error.to_string().trim_end().to_owned()))?;
+        plan.check_order()?;
+        Ok(plan)
+    }
+
+    /// Whether each pass comes after those without which it can't keep its promise.
+    ///
+    /// # Errors
+    /// When `heal` runs twice, or without `orient` before it: they take turns until nothing is healed.
+    pub fn check_order(&self) -> Result<(), PlanError> {
+        let first = |kind: PassKind| self.passes.iter().position(|&pass| pass == kind);
+        if let Some(heal) = first(PassKind::Heal) {
+            if self.passes[heal + 1..].contains(&PassKind::Heal) {
+                return Err(PlanError::new(
+                    "`heal` stands in a plan once: it goes on until nothing is healed".to_owned(),
+                ));
+            }
+            if first(PassKind::Orient).is_none_or(|orient| orient > heal) {
+                let reason = "`heal` needs `orient` before it: they take turns until nothing is healed";
+                return Err(PlanError::new(reason.to_owned()));
+            }
+        }
+        Ok(())
     }
 
     /// Leaves a pass out.
@@ -167,6 +192,15 @@ mod tests {
         let plan = plan.with(PassKind::Orient).with(PassKind::Verify).with(PassKind::Weld);
         let expected = [PassKind::Weld, PassKind::Orient, PassKind::Compact, PassKind::Verify];
         assert_eq!(plan.passes, expected);
+    }
+
+    #[test]
+    fn a_pass_that_needs_another_one_before_it_is_refused_without_it() {
+        let failure = |passes: &str| Plan::from_toml(&format!("passes = {passes}")).unwrap_err().to_string();
+        assert!(failure("['weld', 'heal']").starts_with("`heal` needs `orient` before it"));
+        assert!(failure("['heal', 'orient']").starts_with("`heal` needs `orient` before it"));
+        assert!(failure("['orient', 'heal', 'heal']").starts_with("`heal` stands in a plan once"));
+        assert!(Plan::from_toml("passes = ['orient', 'heal']").is_ok());
     }
 
     #[test]

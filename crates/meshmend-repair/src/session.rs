@@ -286,6 +286,7 @@ impl<'a> Session<'a> {
             figures: None,
             seam: outcome.seam,
             loops: outcome.loops,
+            t_junctions: outcome.t_junctions,
             looked,
         });
         Ok(&self.records[self.records.len() - 1])

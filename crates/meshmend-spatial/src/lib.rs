@@ -11,6 +11,7 @@
 //! * [`fronts`] tells which side of an open component is seen.
 //! * Open places: [`t_junctions`] finds vertices on edges, [`heal`] decides which of them become corners there,
 //!   [`open_loops`] tells holes from the rims of sheets.
+//! * [`near_pairs`] finds the points that are near each other.
 //! * Fills: [`best_fill`] covers a hole with triangles, [`fan_cost`] judges a fan.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
 //!   [`is_straight`] points.
@@ -22,6 +23,7 @@ mod heal;
 mod internal;
 mod intersections;
 mod meeting;
+mod near_pairs;
 mod nesting;
 mod rims;
 mod shape;
@@ -31,12 +33,13 @@ mod t_junctions;
 mod unit;
 
 pub use fill::{Fill, FillBy, FillCost, Opening, best_fill, direction_of_face, fan_cost};
-pub use heal::{Healed, HealedCorner, Insertion, LeftOpen, LeftTJunction, heal};
+pub use heal::{Healed, HealedCorner, Insertion, LeftTJunction, NotHealed, heal};
 pub use internal::{InternalFaces, internal_faces};
 pub use intersections::{
     Budget, CrossingSearch, FacePair, Figures, IntersectionOptions, Intersections, do_cross, intersections,
 };
 pub use meeting::Contact;
+pub use near_pairs::near_pairs;
 pub use nesting::{
     NestedComponent, Nesting, NestingState, NoSpace, lies_on, nesting, passage, passage_of_turns,
 };

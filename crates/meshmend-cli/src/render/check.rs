@@ -64,6 +64,15 @@ fn view(document: &CheckDocument) -> String {
         Some(Distance::Relative(part)) => {
             format!("judged as welded: vertices within {part} of the bounding box's diagonal are one")
         }
+        Some(Distance::Boundary(length)) => {
+            format!(
+                "judged as welded: vertices at the same position, and of open edges within {length}, are one"
+            )
+        }
+        Some(Distance::BoundaryRelative(part)) => format!(
+            "judged as welded: vertices at the same position, and of open edges within {part} of the bounding box's \
+             diagonal, are one"
+        ),
     };
     let view = match document.apart_in_pose {
         0 => view,

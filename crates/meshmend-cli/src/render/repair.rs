@@ -1,7 +1,10 @@
 //! What a repair did: before and after side by side, pass by pass, what went, what is left.
 
+use std::fmt::Display;
+
 use meshmend::formats::LossKind;
 use meshmend::mesh::{Listed, counted};
+
 use meshmend::passes::{Looked, LoopRecord, SeamFigures};
 use meshmend::report::{FigureChanges, Listing, NamedFace, PassDocument, RepairDocument};
 use meshmend::{DefectKind, Loss, PassKind, Severity};
@@ -108,7 +111,9 @@ fn pass(document: &PassDocument) -> Vec<String> {
     };
     let mut lines = vec![format!("{:<12}{text}{figures}", document.pass.name())];
     lines.extend(document.seam.map(|seam| format!("{:<12}{}", "", cut_open(seam))));
-    lines.extend(document.loops.iter().flat_map(loops).map(|line| format!("{:<12}{line}", "")));
+    let loops = document.loops.iter().flat_map(loops);
+    let t_junctions = document.t_junctions.iter().flat_map(|found| items_and_more(&found.left));
+    lines.extend(loops.chain(t_junctions).map(|line| format!("{:<12}{line}", "")));
     let left = kinds_with_counts(counts(&document.left));
     if !left.is_empty() {
         lines.push(format!("{:<12}left alone: {left}", ""));
@@ -132,12 +137,7 @@ fn named_one_by_one(document: &PassDocument) -> impl Iterator<Item = String> + '
         _ => None,
     };
     let kinds = document.left.iter().filter_map(move |(kind, left)| Some((left, in_record(kind)?)));
-    kinds.flat_map(|(left, hint)| {
-        let hidden = left.count - left.items.len() as u64;
-        let more = (hidden > 0).then(|| format!("… and {hidden} more"));
-        let hint = (!hint.is_empty()).then(|| hint.to_owned());
-        left.items.iter().map(ToString::to_string).chain(more).chain(hint)
-    })
+    kinds.flat_map(|(left, hint)| items_and_more(left).chain((!hint.is_empty()).then(|| hint.to_owned())))
 }
 
 /// What cutting non-orientable patches open took.
@@ -153,9 +153,14 @@ fn loops(loops: &Listing<LoopRecord>) -> Vec<String> {
     if loops.count == 0 {
         return vec!["there is no boundary loop".to_owned()];
     }
-    let hidden = loops.count - loops.items.len() as u64;
+    items_and_more(loops).collect()
+}
+
+/// A line for each item of a list, and one that says how many there are beside them.
+fn items_and_more<T: Display>(list: &Listing<T>) -> impl Iterator<Item = String> + '_ {
+    let hidden = list.count - list.items.len() as u64;
     let more = (hidden > 0).then(|| format!("… and {hidden} more"));
-    loops.items.iter().map(ToString::to_string).chain(more).collect()
+    list.items.iter().map(ToString::to_string).chain(more)
 }
 
 /// How many vertices welding joined. The kind's own title speaks of what exact welding would do.

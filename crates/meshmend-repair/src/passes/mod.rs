@@ -139,6 +139,7 @@ passes! {
     weld: Weld, Distance, WeldBy;
     clean: Clean, NonFinite, Repeated;
     orient: Orient, Duplicates, NonOrientable, Side;
+    heal: Heal, HealWithin, TJunctionFate, TJunctionRecord;
     split: Split, SeamFigures, Seams, SplitEdges;
     fill: Fill, Crossed, CrossingFills, FillCrossing, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord, Reach;
     triangulate: Triangulate, TriangulateFaces;
@@ -378,6 +379,7 @@ mod tests {
             "weld",
             "clean",
             "orient",
+            "heal",
             "nothing",
             "split",
             "fill",

@@ -6,6 +6,8 @@
 //! * *Exact* (default): their positions are equal as numbers. −0 equals 0, and a position that is not finite equals none.
 //! * *Single*: their positions are equal after each coordinate is rounded to single precision.
 //! * *Tolerance ε*: they are in one connected component of "distance ≤ ε", so no pair within ε is missed.
+//! * *Boundary ε*: their positions are equal, or both are vertices of open edges, not farther apart than ε, and nothing is
+//!   against it ([`boundary`]). This closes cracks without touching what is whole.
 //!
 //! Vertices that a model's motion parts are not in one place: morph targets displace them differently, or other joints
 //! move them. So a closed mouth stays two lips ([`WeldBy::Pose`]).
@@ -27,6 +29,11 @@ use meshmend_geometry::proximity::{NoClasses, proximity_classes};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+mod boundary;
+
+use boundary::joined_along_boundaries;
+
+use crate::tolerance::{no_tolerance, resolved, unresolved};
 use crate::{
     Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
 };
@@ -68,12 +75,18 @@ pub enum Distance {
     /// The same, in parts of a bounding box's diagonal: 0.001 is a thousandth of it. The box is that of the vertices
     /// that a face or a loose edge uses; in a mesh with neither, of all vertices.
     Relative(f64),
+    /// Their positions are equal, or both are vertices of open edges within so many units of length of each other. No two
+    /// vertices that are joined are farther apart, and no face loses a corner.
+    Boundary(f64),
+    /// The same, in parts of the box's diagonal.
+    BoundaryRelative(f64),
 }
 
 /// All that is said of the pass.
 pub(crate) const ROW: PassRow = PassRow {
     name: "weld",
-    explanation: "Joins vertices at the same position (exact), or within a tolerance, to the lowest of them. Attributes that \
+    explanation: "Joins vertices at the same position (exact), or within a tolerance, to the lowest of them; with \
+                  `boundary:` and a tolerance only vertices of open edges, so that cracks close and what is whole stays. Attributes that \
                   differ across welded vertices move to the corners; none is averaged. In a pipeline orient and split keep \
                   apart again what would leave the mesh non-manifold, so that welding is stitching and can't make a mesh worse.",
     is_default: true,
@@ -81,8 +94,8 @@ pub(crate) const ROW: PassRow = PassRow {
     options: &[
         PassOption {
             name: "weld",
-            help: "Which vertices are joined: none, exact, single (equal in single precision), within a length, or within a \
-               percentage of the bounding box's diagonal",
+            help: "Which vertices are joined: none, exact, single (equal in single precision), within a length, within a \
+               percentage of the bounding box's diagonal, or along open edges within either (boundary:0.01, boundary:0.1%)",
             sets: &["distance"],
             values: OptionValues::Distance,
         },
@@ -132,6 +145,11 @@ impl Pass for Weld {
             Distance::Exact => coincident_vertices(mesh),
             Distance::Single => coincident_in_single(mesh),
             Distance::Absolute(_) | Distance::Relative(_) => within(mesh, self.tolerance_on(mesh), context)?,
+            Distance::Boundary(_) | Distance::BoundaryRelative(_) => {
+                let exact = equal_in_pose_if(self.by, mesh, coincident_vertices(mesh));
+                let epsilon = resolved(ROW.name, mesh, self.tolerance_on(mesh))?;
+                joined_along_boundaries(mesh, exact, epsilon, context)?
+            }
         };
         join_to(mesh, self.in_one_pose(mesh, lowest, context)?)
     }
@@ -149,8 +167,8 @@ impl Distance {
     pub fn length_on(self, mesh: &PolygonMesh) -> f64 {
         match self {
             Distance::Exact | Distance::Single => 0.0,
-            Distance::Absolute(epsilon) => epsilon,
-            Distance::Relative(part) => part * diagonal(mesh),
+            Distance::Absolute(epsilon) | Distance::Boundary(epsilon) => epsilon,
+            Distance::Relative(part) | Distance::BoundaryRelative(part) => part * diagonal(mesh),
         }
     }
 }
@@ -170,13 +188,21 @@ impl Weld {
     ) -> Result<Vec<VertexId>, PassError> {
         let epsilon = self.tolerance_on(mesh);
         match self.by {
+            _ if epsilon == 0.0 => Ok(equal_in_pose_if(self.by, mesh, lowest)),
             WeldBy::Position => Ok(lowest),
-            WeldBy::Pose if epsilon == 0.0 => Ok(equal_in_pose(mesh, lowest)),
             WeldBy::Pose => {
                 let goes_on = || context.check_cancelled().is_ok();
                 near_in_pose(mesh, lowest, epsilon, &goes_on).map_err(|reason| not_told(epsilon, reason))
             }
         }
+    }
+}
+
+/// Classes of vertices in one place, parted where a model's motion parts them, if it counts.
+fn equal_in_pose_if(by: WeldBy, mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Vec<VertexId> {
+    match by {
+        WeldBy::Position => lowest,
+        WeldBy::Pose => equal_in_pose(mesh, lowest),
     }
 }
 
@@ -234,22 +260,14 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
         };
         classes.map_err(|reason| not_told(epsilon, reason))
     } else {
-        Err(PassError::Request {
-            pass: "weld",
-            reason: format!("a tolerance must be a finite number of 0 or more, not {epsilon}"),
-        })
+        Err(no_tolerance(ROW.name, epsilon))
     }
 }
 
 fn not_told(epsilon: f64, reason: NoClasses) -> PassError {
     match reason {
         NoClasses::Stopped => PassError::Cancelled,
-        NoClasses::Unresolved { extent } => {
-            let reason = format!(
-                "a tolerance of {epsilon:e} can't be resolved by coordinates as large as {extent:e}; weld exactly instead"
-            );
-            PassError::Request { pass: "weld", reason }
-        }
+        NoClasses::Unresolved { extent } => unresolved(ROW.name, epsilon, extent),
     }
 }
 

@@ -126,13 +126,17 @@ impl Pipeline {
     }
 }
 
-/// Whether a pass leaves edges of three sides or more, or vertices that can't be welded again.
+/// Whether a pass leaves edges of three sides or more, vertices that can't be welded again, or what it may judge in another way
+/// once vertices are joined or faces are cut.
 fn leaves_edges(pass: &AnyPass) -> bool {
     match pass {
         AnyPass::Split(split) => split.edges == SplitEdges::PinchOnly,
         AnyPass::Clean(clean) => clean.non_finite == NonFinite::Keep,
-        // Nothing is known of it.
-        AnyPass::Own(_) => true,
+        AnyPass::Weld(weld) => {
+            matches!(weld.distance, Distance::Boundary(_) | Distance::BoundaryRelative(_))
+        }
+        // Nothing is known of a pass of another crate.
+        AnyPass::Heal(_) | AnyPass::Own(_) => true,
         _ => false,
     }
 }

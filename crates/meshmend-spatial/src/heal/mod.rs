@@ -6,7 +6,7 @@
 //!    ([`chains`]). A whole boundary edge is a piece of itself.
 //! 2. A piece is *good* when exactly two sides would run between its ends, pieces and whole edges of every face counted, of
 //!    different faces that don't lie on each other ([`lie`]).
-//! 3. An end of a good piece becomes a corner of the edge's face. The edge stays as it is, with the [reason](LeftOpen), if the
+//! 3. An end of a good piece becomes a corner of the edge's face. The edge stays as it is, with the [reason](NotHealed), if the
 //!    face is thin there, would get a vertex at two of its edges, or would crowd an edge ([`crowd`]).
 //!
 //! No vertex moves, and no face is added or removed. Every corner put in is the end of an edge that was boundary on both sides
@@ -14,8 +14,8 @@
 
 mod chains;
 mod crowd;
-mod left_open;
 mod lie;
+mod not_healed;
 mod record;
 mod round;
 
@@ -25,7 +25,7 @@ use meshmend_core::{Complex, PolygonMesh};
 
 use crate::t_junctions::{Boundary, vertices_on_edges, welded_faces};
 
-pub use left_open::LeftOpen;
+pub use not_healed::NotHealed;
 pub use record::{Healed, HealedCorner, Insertion, LeftTJunction};
 
 use record::{Place, Recorder};
@@ -36,9 +36,11 @@ use round::Round;
 ///
 /// *Cost*: O(n log n + pairs) a round; most meshes need one or two.
 pub fn heal(mesh: &PolygonMesh, within: f64) -> Healed {
-    let mut faces = welded_faces(mesh).map_or_else(|| mesh.complex().shared_faces(), Arc::new);
+    let welded = welded_faces(mesh).map(|faces| Complex::of(&Arc::new(faces)));
     let place = Place { positions: mesh.positions(), within };
-    let mut recorder = Recorder::of(&faces);
+    let first = welded.as_ref().unwrap_or(mesh.complex());
+    let mut recorder = Recorder::of(first);
+    let mut faces = first.shared_faces();
     loop {
         let complex = Complex::of(&faces);
         let boundary = Boundary::of(&complex, mesh.positions());
@@ -117,12 +119,12 @@ mod tests {
         let touching = mesh(&points, &vec![vec![0, 1, 2], vec![3, 4, 5]]);
         let reasons =
             |mesh: &PolygonMesh| heal(mesh, 0.0).left.into_iter().map(|left| left.reason).collect::<Vec<_>>();
-        assert_eq!(reasons(&touching), [LeftOpen::Foreign]);
+        assert_eq!(reasons(&touching), [NotHealed::Foreign]);
         let alone = mesh(&points, &vec![vec![0, 1, 2], vec![3, 0, 4]]);
         assert!(heal(&alone, 0.0).insertions.len() == 1, "half of the edge is matched");
         let wall = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [4, 0, 0]];
         let double = mesh(&wall, &vec![vec![0, 1, 2], vec![2, 1, 3, 0]]);
-        assert_eq!(reasons(&double), [LeftOpen::Unmatched]);
+        assert_eq!(reasons(&double), [NotHealed::Unmatched]);
     }
 
     prop_compose! {

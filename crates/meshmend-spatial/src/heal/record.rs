@@ -1,9 +1,9 @@
 //! The faces as they become, and what was put in and left.
 
-use meshmend_core::{CornerId, FaceId, FaceTable, FaceTableBuilder, Id, VertexId};
+use meshmend_core::{Complex, CornerId, FaceId, FaceTable, FaceTableBuilder, Id, VertexId};
 use meshmend_geometry::vector::{Point, dot, minus};
 
-use super::left_open::LeftOpen;
+use super::not_healed::NotHealed;
 use super::round::Round;
 use crate::t_junctions::{Boundary, OnEdges, TJunction, distance, junction};
 use crate::unit::Unit;
@@ -24,7 +24,7 @@ pub struct Healed {
 /// A corner of a face with new corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HealedCorner {
-    /// A corner of the complex of the mesh as it was.
+    /// A corner of the mesh as it was.
     Kept(CornerId),
     /// A new one at a vertex, on the way from the last kept corner to the next one.
     New {
@@ -50,13 +50,21 @@ pub struct Insertion {
     pub distance: f64,
 }
 
+impl Insertion {
+    /// The T-junction that was healed.
+    pub fn junction(&self) -> TJunction {
+        let &Insertion { vertex, face, ends, distance, .. } = self;
+        TJunction { vertex, ends, face, distance, is_aligned: true }
+    }
+}
+
 /// A T-junction that healing leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftTJunction {
     /// The T-junction, on the faces as they are in the end.
     pub junction: TJunction,
     /// Why it stays.
-    pub reason: LeftOpen,
+    pub reason: NotHealed,
 }
 
 /// Where vertices are, and how far from an edge they count as on it.
@@ -94,8 +102,9 @@ pub(super) struct Recorder {
 }
 
 impl Recorder {
-    pub(super) fn of(faces: &FaceTable) -> Self {
-        let sources = (0..faces.corner_count()).map(|corner| Some(CornerId::new(corner))).collect();
+    pub(super) fn of(complex: &Complex) -> Self {
+        let corners = (0..complex.faces().corner_count()).map(CornerId::new);
+        let sources = corners.map(|corner| Some(complex.stored_corner(corner))).collect();
         Recorder { sources, insertions: Vec::new(), rounds: 0 }
     }
 
@@ -150,8 +159,8 @@ impl Recorder {
     ) -> Healed {
         let left = on.pairs().iter().zip(&round.is_aligned).map(|(&(edge, vertex), &is_aligned)| {
             let junction = TJunction { is_aligned, ..place.junction(boundary, edge, vertex) };
-            let refused = round.refused[edge as usize].unwrap_or(LeftOpen::Unmatched);
-            let reason = if is_aligned { refused } else { LeftOpen::Foreign };
+            let refused = round.refused[edge as usize].unwrap_or(NotHealed::Unmatched);
+            let reason = if is_aligned { refused } else { NotHealed::Foreign };
             LeftTJunction { junction, reason }
         });
         let mut left: Vec<LeftTJunction> = left.collect();

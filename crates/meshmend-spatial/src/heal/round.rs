@@ -7,8 +7,8 @@ use meshmend_geometry::vector::Point;
 
 use super::chains::{Cuts, Piece, Pieces, pieces, sort_along};
 use super::crowd::Crowd;
-use super::left_open::LeftOpen;
 use super::lie::lie_on_each_other;
+use super::not_healed::NotHealed;
 use crate::t_junctions::{Boundary, OnEdges, is_thin};
 
 /// The decisions of a round.
@@ -16,7 +16,7 @@ pub(super) struct Round {
     /// The vertices that become corners on each boundary edge, in order along it.
     pub(super) chosen: Cuts,
     /// Why edges with aligned vertices stay as they are.
-    pub(super) refused: Vec<Option<LeftOpen>>,
+    pub(super) refused: Vec<Option<NotHealed>>,
     /// Whether a vertex is aligned, for each pair of an edge and a vertex on it.
     pub(super) is_aligned: Vec<bool>,
 }
@@ -44,7 +44,7 @@ impl Round {
         let mut refused = vec![None; aligned.len()];
         for (edge, vertices) in aligned.iter_mut().enumerate().filter(|(_, vertices)| !vertices.is_empty()) {
             sort_along(positions, boundary.edges()[edge].ends, vertices);
-            refused[edge] = is_thin(positions, boundary, edge as u32, within).then_some(LeftOpen::Thin);
+            refused[edge] = is_thin(positions, boundary, edge as u32, within).then_some(NotHealed::Thin);
         }
         let ground = Ground { positions, boundary, within, aligned };
         let mut crowd: Option<Crowd> = None;
@@ -63,10 +63,10 @@ impl Ground<'_> {
     /// What would be put in on edges that are not refused, and the edges that object to that.
     fn chosen(
         &self,
-        refused: &[Option<LeftOpen>],
+        refused: &[Option<NotHealed>],
         crowd: &mut Option<Crowd>,
-    ) -> (Cuts, Vec<(u32, LeftOpen)>) {
-        let live = |(vertices, refused): (&Vec<VertexId>, &Option<LeftOpen>)| {
+    ) -> (Cuts, Vec<(u32, NotHealed)>) {
+        let live = |(vertices, refused): (&Vec<VertexId>, &Option<NotHealed>)| {
             if refused.is_none() { vertices.clone() } else { Vec::new() }
         };
         let live: Cuts = self.aligned.iter().zip(refused).map(live).collect();
@@ -74,10 +74,10 @@ impl Ground<'_> {
         let chosen = self.ends_of_good(&pieces_now, &live);
         let repeated = self.repeated(&chosen);
         if !repeated.is_empty() {
-            return (chosen, repeated.into_iter().map(|edge| (edge, LeftOpen::Repeated)).collect());
+            return (chosen, repeated.into_iter().map(|edge| (edge, NotHealed::Repeated)).collect());
         }
         let crowded = self.crowded(&pieces_now, &chosen, crowd);
-        (chosen, crowded.into_iter().map(|edge| (edge, LeftOpen::Crowded)).collect())
+        (chosen, crowded.into_iter().map(|edge| (edge, NotHealed::Crowded)).collect())
     }
 
     /// The vertices on each edge that are ends of good pieces.

@@ -14,7 +14,7 @@ mod near;
 mod place;
 mod point_tree;
 
-use meshmend_core::{FaceId, Id, PolygonMesh, VertexId};
+use meshmend_core::{Defect, DefectKind, Element, FaceId, Id, PolygonMesh, VertexId};
 use meshmend_geometry::vector::Point;
 use rayon::prelude::*;
 
@@ -36,6 +36,27 @@ pub struct TJunction {
     pub distance: f64,
     /// Whether a boundary edge of the vertex runs along the edge.
     pub is_aligned: bool,
+}
+
+impl TJunction {
+    /// The defect, with the edge that the mesh has there, if it has one between vertices at these positions.
+    ///
+    /// *Cost*: linear in the corners of the face, once the mesh knows its edges.
+    pub fn defect(&self, mesh: &PolygonMesh) -> Defect {
+        let place = |vertex: VertexId| mesh.position(vertex);
+        let ends = self.ends.map(place);
+        let (faces, edges) = (mesh.complex().faces(), mesh.complex().edges());
+        let sides = faces.face_corners(self.face).map(|corner| edges.corner_edge(corner));
+        let is_there = |edge: &_| {
+            let [one, other] = edges.ends(*edge).map(place);
+            [one, other] == ends || [other, one] == ends
+        };
+        let mut found = sides.filter(is_there);
+        match found.next() {
+            Some(edge) => Defect::t_junction(self.vertex, edge, edges.ends(edge), self.is_aligned),
+            None => Defect::new(DefectKind::TJunction, Element::Vertex(self.vertex)),
+        }
+    }
 }
 
 /// The T-junctions of a mesh within a distance of at least 0, ordered by vertex and ends.

@@ -2,9 +2,7 @@
 
 mod questions;
 
-use meshmend_core::{
-    Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, Lie, PolygonMesh, VertexId,
-};
+use meshmend_core::{Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, Lie, PolygonMesh};
 use meshmend_repair::PassError;
 use meshmend_spatial::{
     Contact, FacePair, InternalFaces, IntersectionOptions, Intersections, NestedComponent, Nesting,
@@ -91,7 +89,7 @@ impl GeometryReport {
         match kind {
             DefectKind::TJunction => {
                 let found = self.t_junctions.iter().flatten();
-                Box::new(found.map(|junction| placed(junction, mesh)))
+                Box::new(found.map(|junction| junction.defect(mesh)))
             }
             _ => self.placeless(kind),
         }
@@ -194,23 +192,6 @@ fn sliver_face(sliver: &Sliver) -> Defect {
 
 fn of_component(defect: fn(FaceId, u32) -> Defect) -> impl Fn(&NestedComponent) -> Defect {
     move |component| defect(component.lowest_face, component.faces)
-}
-
-/// A T-junction with the edge that the mesh has there.
-fn placed(junction: &TJunction, mesh: &PolygonMesh) -> Defect {
-    let place = |vertex: VertexId| mesh.position(vertex);
-    let ends = junction.ends.map(place);
-    let (faces, edges) = (mesh.faces(), mesh.complex().edges());
-    let side = faces.face_corners(junction.face).map(|corner| edges.corner_edge(corner));
-    let is_there = |edge: &_| {
-        let [one, other] = edges.ends(*edge).map(place);
-        [one, other] == ends || [other, one] == ends
-    };
-    let mut found = side.filter(is_there);
-    match found.next() {
-        Some(edge) => Defect::t_junction(junction.vertex, edge, edges.ends(edge), junction.is_aligned),
-        None => Defect::new(DefectKind::TJunction, Element::Vertex(junction.vertex)),
-    }
 }
 
 /// The distance from which on a vertex is on an edge.

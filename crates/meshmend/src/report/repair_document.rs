@@ -9,7 +9,7 @@ use meshmend_core::{
 use meshmend_io::{Loss, Note};
 use meshmend_repair::{
     EmptiedName, Figures, Looked, LoopRecord, PassKind, PassRecord, RemovedFace, Repaired, Rounding,
-    SeamFigures, emptied_names,
+    SeamFigures, TJunctionRecord, emptied_names,
 };
 use serde::Serialize;
 
@@ -105,9 +105,30 @@ pub struct PassDocument {
     /// What became of each boundary loop, where the pass judged them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loops: Option<Listing<LoopRecord>>,
+    /// What became of each vertex on an open edge, where the pass judged them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub t_junctions: Option<TJunctionsDocument>,
     /// Whether `verify` looked at the mesh afresh, or was told what was known before and is still true.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub looked: Option<Looked>,
+}
+
+/// What became of the vertices on open edges.
+#[derive(Clone, Debug, Serialize)]
+pub struct TJunctionsDocument {
+    /// Those that became corners of the faces there.
+    pub healed: Listing<TJunctionRecord>,
+    /// Those that are still there, with the reason.
+    pub left: Listing<TJunctionRecord>,
+}
+
+impl TJunctionsDocument {
+    fn new(records: &[TJunctionRecord], limit: usize) -> Self {
+        let (healed, left): (Vec<TJunctionRecord>, Vec<TJunctionRecord>) =
+            records.iter().cloned().partition(TJunctionRecord::is_healed);
+        let [healed, left] = [healed, left].map(|records| Listing::cut(records.into_iter(), limit));
+        TJunctionsDocument { healed, left }
+    }
 }
 
 /// How much a pass added to the three figures that show its effect.
@@ -259,6 +280,8 @@ impl PassDocument {
             delta: record.figures.map(|[before, after]| FigureChanges::between(before, after)),
             seam: record.seam,
             loops: judged.then(|| Listing::cut(record.loops.iter().cloned(), limit)),
+            t_junctions: (record.pass == PassKind::Heal)
+                .then(|| TJunctionsDocument::new(&record.t_junctions, limit)),
             looked: record.looked,
         }
     }
