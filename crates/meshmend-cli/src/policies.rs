@@ -55,6 +55,9 @@ fn argument(pass: PassKind, option: &'static PassOption) -> Arg {
         OptionValues::Limits => argument.value_name("LIMITS").value_parser(|word: &str| {
             if word == OFF { Ok(word.to_owned()) } else { words::fill_loops(word).map(|_| word.to_owned()) }
         }),
+        OptionValues::ComponentLimit => argument
+            .value_name("LIMIT")
+            .value_parser(|word: &str| words::small_components(word).map(|_| word.to_owned())),
         OptionValues::Distance => argument
             .value_name("DISTANCE")
             .value_parser(|word: &str| words::welding(word).map(|_| word.to_owned())),
@@ -142,6 +145,9 @@ impl Said {
                 (OptionValues::Limits, _) => {
                     plan.set(self.pass, key, words::fill_loops(&self.word).map_err(Failure::usage)?)
                 }
+                (OptionValues::ComponentLimit, _) => {
+                    plan.set(self.pass, key, words::small_components(&self.word).map_err(Failure::usage)?)
+                }
                 (OptionValues::Words(words), _) => {
                     let word = words.iter().find(|word| word.name == self.word);
                     plan.set(self.pass, key, word.map_or(self.word.as_str(), |word| word.value))
@@ -169,8 +175,8 @@ fn read_plan(path: &Path, passes: Passes) -> Result<Plan, Failure> {
 mod tests {
     use clap::{CommandFactory, FromArgMatches, Parser};
     use meshmend::passes::{
-        Duplicates, FillLimits, FillLoops, FillRims, FillWith, HealWithin, LooseElements, NonFinite,
-        NonOrientable, Repeated, Side, SplitEdges, Turn,
+        DropParts, Duplicates, FillLimits, FillLoops, FillRims, FillWith, HealWithin, Internal,
+        LooseElements, NonFinite, NonOrientable, Repeated, Side, SmallComponents, SplitEdges, Turn,
     };
     use meshmend::{Distance, FlippedNormals};
 
@@ -260,6 +266,15 @@ mod tests {
         assert!(names.windows(3).any(|three| three == ["orient", "heal", "split"]), "{names:?}");
         assert_eq!(plan(&["--heal", "off"]).unwrap(), Plan::default());
         assert!(within("single").is_err() && plan(&["--heal", "exact", "--orient", "off"]).is_err());
+    }
+
+    #[test]
+    fn parts_are_dropped_when_asked_for() {
+        let plan = plan(&["--drop-components", "faces:12", "--internal", "remove-faces"]).unwrap();
+        let expected = DropParts { components: SmallComponents::Faces(12), internal: Internal::RemoveFaces };
+        assert_eq!(plan.drop, expected);
+        let names: Vec<&str> = plan.passes.iter().map(|pass| pass.name()).collect();
+        assert!(names.windows(3).any(|three| three == ["triangulate", "drop", "compact"]), "{names:?}");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use meshmend::matrices::{Field, Prime};
 use meshmend::mesh::Cell;
-use meshmend::passes::{FillLimits, FillLoops, Reach};
+use meshmend::passes::{FillLimits, FillLoops, Reach, SmallComponents};
 use std::path::Path;
 
 use meshmend::shapes::{NAMED_SHAPES, NamedShape};
@@ -96,6 +96,22 @@ pub(crate) fn fill_loops(word: &str) -> Result<FillLoops, String> {
         }
     }
     Ok(FillLoops::Within(limits))
+}
+
+/// Reads which components are too small: `faces:12`, `area:0.5` or `volume:0.1`.
+pub(crate) fn small_components(word: &str) -> Result<SmallComponents, String> {
+    let expected = || "expected a limit such as faces:12, area:0.5 or volume:0.1".to_owned();
+    let (name, limit) = word.split_once(':').ok_or_else(expected)?;
+    let number = || match limit.parse::<f64>() {
+        Ok(number) if number.is_finite() && number >= 0.0 => Ok(number),
+        _ => Err(expected()),
+    };
+    match name {
+        "faces" => limit.parse().map(SmallComponents::Faces).map_err(|_| expected()),
+        "area" => number().map(SmallComponents::Area),
+        "volume" => number().map(SmallComponents::Volume),
+        _ => Err(expected()),
+    }
 }
 
 fn no_limit() -> String {
@@ -216,6 +232,16 @@ mod tests {
             ["", "edges", "edges:-1", "edges:1%", "length:nan", "area:-2", "depth:1", "edges:1,edges:2"]
         {
             assert!(fill_loops(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_component_is_too_small_by_one_figure() {
+        assert_eq!(small_components("faces:12"), Ok(SmallComponents::Faces(12)));
+        assert_eq!(small_components("area:0.5"), Ok(SmallComponents::Area(0.5)));
+        assert_eq!(small_components("volume:1e-3"), Ok(SmallComponents::Volume(1e-3)));
+        for wrong in ["", "faces", "faces:-1", "faces:0.5", "area:nan", "volume:-1", "length:1", "area:5%"] {
+            assert!(small_components(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -72,6 +72,7 @@ fn every_defect_says_where_it_is() {
             Defect::undecided_component(face, 1),
             "the component of f1, 1 face in all, is seen as much from one side as from the other",
         ),
+        (Defect::small_component(face, 4), "f1 belongs to a component under the limit, 4 faces in all"),
     ];
     for (defect, text) in cases {
         assert_eq!(defect.to_string(), text);

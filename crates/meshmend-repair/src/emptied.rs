@@ -5,7 +5,9 @@ use std::fmt;
 use meshmend_core::{DefectKind, FaceId, PolygonMesh, distinct_count};
 use serde::{Deserialize, Serialize};
 
-use crate::{AnyPass, Distance, Duplicates, NonFinite, PassKind, Repaired};
+use crate::{
+    AnyPass, Distance, DropParts, Duplicates, Internal, NonFinite, PassKind, Repaired, SmallComponents,
+};
 
 /// What happens when a repair would leave no face of a mesh that has some.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -111,6 +113,17 @@ fn option_behind(
             }
             _ => None,
         }),
+        DefectKind::SmallComponent => passes.iter().find_map(|pass| match pass {
+            AnyPass::DropParts(drop) => drop_option(drop.components),
+            _ => None,
+        }),
+        DefectKind::InternalFace => passes.iter().find_map(|pass| match pass {
+            AnyPass::DropParts(DropParts { internal: Internal::RemoveFaces, .. }) => {
+                Some("--internal remove-faces".to_owned())
+            }
+            AnyPass::DropParts(_) => Some("--internal remove-components".to_owned()),
+            _ => None,
+        }),
         DefectKind::OppositeFace => passes.iter().find_map(|pass| match pass {
             AnyPass::Orient(orient) => match orient.duplicates {
                 Duplicates::RemovePair => Some("--duplicates remove-pair".to_owned()),
@@ -121,6 +134,16 @@ fn option_behind(
         }),
         _ => None,
     }
+}
+
+fn drop_option(components: SmallComponents) -> Option<String> {
+    let limit = match components {
+        SmallComponents::Keep => return None,
+        SmallComponents::Faces(count) => format!("faces:{count}"),
+        SmallComponents::Area(area) => format!("area:{area}"),
+        SmallComponents::Volume(volume) => format!("volume:{volume}"),
+    };
+    Some(format!("--drop-components {limit}"))
 }
 
 fn weld_option(distance: Distance) -> String {

@@ -15,7 +15,8 @@ use thiserror::Error;
 
 use crate::sewing::KeptSewing;
 use crate::{
-    Clearance, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures, TJunctionRecord, TellingLayers,
+    Clearance, DropRecord, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures, TJunctionRecord,
+    TellingLayers,
 };
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
@@ -77,6 +78,8 @@ pub struct Outcome {
     pub loops: Vec<LoopRecord>,
     /// What became of each vertex on an open edge, where the pass judged them, by vertex and ends.
     pub t_junctions: Vec<TJunctionRecord>,
+    /// What was dropped, where the pass drops parts.
+    pub dropped: Option<DropRecord>,
 }
 
 impl Outcome {
@@ -97,6 +100,7 @@ impl Outcome {
             differed: Vec::new(),
             loops: Vec::new(),
             t_junctions: Vec::new(),
+            dropped: None,
         }
     }
 }

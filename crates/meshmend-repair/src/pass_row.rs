@@ -49,6 +49,8 @@ pub enum OptionValues {
     Distance,
     /// [`FillLoops`](crate::FillLoops).
     Limits,
+    /// [`SmallComponents`](crate::SmallComponents).
+    ComponentLimit,
     /// It has no word; a plan has this one where it is given.
     Flag(&'static str),
 }

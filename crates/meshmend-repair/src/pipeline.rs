@@ -13,9 +13,9 @@ pub use self::storage::{FaceStorage, Writing};
 use crate::figures::Figures;
 use crate::session::Aim;
 use crate::{
-    AnyPass, Clearance, Compact, Distance, Emptied, Emptying, Fixed, Heal, Looked, LoopRecord, NonOrientable,
-    Orient, Pass, PassError, PassKind, Plan, Precision, Repeated, SeamFigures, Seams, Session, Side,
-    Subdivision, TJunctionRecord, Unused, Weld,
+    AnyPass, Clearance, Compact, Distance, DropRecord, Emptied, Emptying, Fixed, Heal, Looked, LoopRecord,
+    NonOrientable, Orient, Pass, PassError, PassKind, Plan, Precision, Repeated, SeamFigures, Seams, Session,
+    Side, Subdivision, TJunctionRecord, Unused, Weld,
 };
 
 /// Passes in order, with their options.
@@ -107,6 +107,8 @@ pub struct PassRecord {
     pub loops: Vec<LoopRecord>,
     /// What became of each vertex on an open edge, where the pass judged them, by vertex and ends.
     pub t_junctions: Vec<TJunctionRecord>,
+    /// What was dropped, where the pass drops parts.
+    pub dropped: Option<DropRecord>,
     /// How the pass came to know the topology of the mesh, if it uses that.
     pub looked: Option<Looked>,
 }

@@ -287,6 +287,7 @@ impl<'a> Session<'a> {
             seam: outcome.seam,
             loops: outcome.loops,
             t_junctions: outcome.t_junctions,
+            dropped: outcome.dropped,
             looked,
         });
         Ok(&self.records[self.records.len() - 1])
@@ -425,6 +426,8 @@ fn removed_face(pass: PassKind, defect: &Defect) -> Option<FaceId> {
             | DefectKind::NonFiniteFace
             | DefectKind::DuplicateFace
             | DefectKind::OppositeFace
+            | DefectKind::SmallComponent
+            | DefectKind::InternalFace
     );
     if is_reason || pass.is_own() { defect.at.face() } else { None }
 }

@@ -6,7 +6,7 @@ use meshmend::formats::LossKind;
 use meshmend::mesh::{Listed, counted};
 
 use meshmend::passes::{Looked, LoopRecord, SeamFigures};
-use meshmend::report::{FigureChanges, Listing, NamedFace, PassDocument, RepairDocument};
+use meshmend::report::{DroppedDocument, FigureChanges, Listing, NamedFace, PassDocument, RepairDocument};
 use meshmend::{DefectKind, Loss, PassKind, Severity};
 
 use super::check::{column, defects};
@@ -113,7 +113,8 @@ fn pass(document: &PassDocument) -> Vec<String> {
     lines.extend(document.seam.map(|seam| format!("{:<12}{}", "", cut_open(seam))));
     let loops = document.loops.iter().flat_map(loops);
     let t_junctions = document.t_junctions.iter().flat_map(|found| items_and_more(&found.left));
-    lines.extend(loops.chain(t_junctions).map(|line| format!("{:<12}{line}", "")));
+    let dropped = document.dropped.iter().flat_map(dropped);
+    lines.extend(loops.chain(t_junctions).chain(dropped).map(|line| format!("{:<12}{line}", "")));
     let left = kinds_with_counts(counts(&document.left));
     if !left.is_empty() {
         lines.push(format!("{:<12}left alone: {left}", ""));
@@ -154,6 +155,15 @@ fn loops(loops: &Listing<LoopRecord>) -> Vec<String> {
         return vec!["there is no boundary loop".to_owned()];
     }
     items_and_more(loops).collect()
+}
+
+/// What was dropped, and what it left.
+fn dropped(document: &DroppedDocument) -> impl Iterator<Item = String> + '_ {
+    let (opened, mixed) = (document.opened_edges as u64, document.mixed_faces as u64);
+    let opened = (opened > 0).then(|| format!("opened: {}", counted(opened, "edge")));
+    let mixed =
+        (mixed > 0).then(|| format!("left, as others cross or cover them: {}", counted(mixed, "face")));
+    items_and_more(&document.components).chain(opened).chain(mixed)
 }
 
 /// A line for each item of a list, and one that says how many there are beside them.

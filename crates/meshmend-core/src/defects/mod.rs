@@ -46,6 +46,7 @@ macro_rules! registered_kinds {
             zero_area_face ZeroAreaFace
             sliver_face SliverFace
             undecided_component UndecidedComponent
+            small_component SmallComponent
         }
     };
 }

@@ -143,6 +143,7 @@ passes! {
     split: Split, SeamFigures, Seams, SplitEdges;
     fill: Fill, Crossed, CrossingFills, FillCrossing, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord, Reach;
     triangulate: Triangulate, TriangulateFaces;
+    drop: DropParts, DropRecord, DroppedComponent, Internal, SmallComponents;
     outward: Outward, Turn;
     compact: Compact, LooseElements;
     verify: Verify;
@@ -384,6 +385,7 @@ mod tests {
             "split",
             "fill",
             "triangulate",
+            "drop",
             "outward",
             "compact",
             "verify",

@@ -170,11 +170,13 @@ fn is_same_place(one: [f64; 3], other: [f64; 3]) -> bool {
 }
 
 /// The kinds of defect because of which a face goes.
-const REASONS_TO_GO: [DefectKind; 4] = [
+const REASONS_TO_GO: [DefectKind; 6] = [
     DefectKind::DegenerateFace,
     DefectKind::NonFiniteFace,
     DefectKind::DuplicateFace,
     DefectKind::OppositeFace,
+    DefectKind::SmallComponent,
+    DefectKind::InternalFace,
 ];
 
 /// Those because of which all of it goes: of a face that falls into pieces one may be a duplicate.

@@ -145,6 +145,7 @@ mod tests {
             (Defect::solid_within(face, 1), whole_face.clone()),
             (Defect::no_volume(face, 1), whole_face.clone()),
             (Defect::undecided_component(face, 1), whole_face.clone()),
+            (Defect::small_component(face, 1), whole_face.clone()),
             (Defect::non_finite_face(face, vertex), whole_face),
             (Defect::boundary_edge(edge, ends), vec![1, 2]),
             (Defect::non_manifold_edge(edge, ends, 3), vec![1, 2]),

@@ -43,8 +43,8 @@ pub use matrix_document::{
 };
 pub use parts_document::PartsDocument;
 pub use repair_document::{
-    BeforeAndAfter, CreatedFace, CreatedVertex, EmptiedNameDocument, FigureChanges, NamedFace, PassDocument,
-    ProvenanceDocument, RemovedFaces, RepairDocument,
+    BeforeAndAfter, CreatedFace, CreatedVertex, DroppedDocument, EmptiedNameDocument, FigureChanges,
+    NamedFace, PassDocument, ProvenanceDocument, RemovedFaces, RepairDocument, TJunctionsDocument,
 };
 use serde::Serialize;
 #[cfg(feature = "flatten")]

@@ -8,8 +8,8 @@ use meshmend_core::{
 };
 use meshmend_io::{Loss, Note};
 use meshmend_repair::{
-    EmptiedName, Figures, Looked, LoopRecord, PassKind, PassRecord, RemovedFace, Repaired, Rounding,
-    SeamFigures, TJunctionRecord, emptied_names,
+    DropRecord, DroppedComponent, EmptiedName, Figures, Looked, LoopRecord, PassKind, PassRecord,
+    RemovedFace, Repaired, Rounding, SeamFigures, TJunctionRecord, emptied_names,
 };
 use serde::Serialize;
 
@@ -108,6 +108,9 @@ pub struct PassDocument {
     /// What became of each vertex on an open edge, where the pass judged them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub t_junctions: Option<TJunctionsDocument>,
+    /// What was dropped, where the pass drops parts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dropped: Option<DroppedDocument>,
     /// Whether `verify` looked at the mesh afresh, or was told what was known before and is still true.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub looked: Option<Looked>,
@@ -128,6 +131,27 @@ impl TJunctionsDocument {
             records.iter().cloned().partition(TJunctionRecord::is_healed);
         let [healed, left] = [healed, left].map(|records| Listing::cut(records.into_iter(), limit));
         TJunctionsDocument { healed, left }
+    }
+}
+
+/// What was dropped, and what it left.
+#[derive(Clone, Debug, Serialize)]
+pub struct DroppedDocument {
+    /// The components that went as a whole.
+    pub components: Listing<DroppedComponent>,
+    /// How many edges of the boundary there are now that were none.
+    pub opened_edges: usize,
+    /// How many faces are still there of which it can't be said whether they are inside of others, where that was asked.
+    pub mixed_faces: usize,
+}
+
+impl DroppedDocument {
+    fn new(record: &DropRecord, limit: usize) -> Self {
+        DroppedDocument {
+            components: Listing::cut(record.components.iter().cloned(), limit),
+            opened_edges: record.opened_edges,
+            mixed_faces: record.mixed_faces,
+        }
     }
 }
 
@@ -282,6 +306,7 @@ impl PassDocument {
             loops: judged.then(|| Listing::cut(record.loops.iter().cloned(), limit)),
             t_junctions: (record.pass == PassKind::Heal)
                 .then(|| TJunctionsDocument::new(&record.t_junctions, limit)),
+            dropped: record.dropped.as_ref().map(|record| DroppedDocument::new(record, limit)),
             looked: record.looked,
         }
     }
