@@ -14,7 +14,7 @@
 //! * [`near_pairs`] finds the points that are near each other.
 //! * Fills: [`best_fill`] covers a hole with triangles, [`fan_cost`] judges a fan.
 //! * Shape: [`shapes`] finds the faces that are too thin, [`sliver_kind`] and [`compare_aspects`] judge triangles,
-//!   [`is_straight`] points.
+//!   [`is_straight`] points; [`mend_slivers`] mends slivers step by step.
 
 pub mod boxes;
 pub mod exact;
@@ -28,6 +28,7 @@ mod nesting;
 mod rims;
 mod shape;
 mod sight;
+mod slivers;
 mod surface;
 mod t_junctions;
 mod unit;
@@ -46,5 +47,9 @@ pub use nesting::{
 pub use rims::{LoopKind, NoSide, OpenLoop, RIM, open_loops};
 pub use shape::{Shapes, Sliver, SliverKind, compare_aspects, is_straight, shapes, sliver_kind};
 pub use sight::{Front, fronts};
+pub use slivers::{
+    Attributes, FoundSliver, LeftSliver, MendedSlivers, NoAttributes, Reshaped, SliverMend, SliverReason,
+    SliverStep, SliverTask, mend_slivers,
+};
 pub use surface::{Cell, Surface, Triangle, WHOLE};
 pub use t_junctions::{TJunction, t_junctions};

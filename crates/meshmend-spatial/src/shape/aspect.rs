@@ -58,7 +58,7 @@ pub fn compare_aspects(one: [Point; 3], other: [Point; 3]) -> Ordering {
 }
 
 /// The longest edge of a triangle by the height over it, in doubles; the largest double where it has no area.
-pub(super) fn aspect(triangle: [Point; 3]) -> f64 {
+pub(crate) fn aspect(triangle: [Point; 3]) -> f64 {
     match Rounded::of(triangle).aspect_between() {
         // Where the area has digits, so has the aspect.
         Some([low, high]) if high - low < 1e-9 * low => low / 2.0 + high / 2.0,

@@ -11,6 +11,7 @@ use meshmend_core::{FaceId, PolygonMesh, distinct_count};
 use meshmend_geometry::vector::{Point, is_finite};
 use rayon::prelude::*;
 
+pub(crate) use aspect::aspect;
 pub use aspect::{SliverKind, compare_aspects, sliver_kind};
 pub use straight::is_straight;
 
@@ -63,10 +64,12 @@ fn judge(mesh: &PolygonMesh, face: FaceId, limit: f64, found: &mut Shapes) {
         if !points.iter().all(is_finite) || a == b || b == c || c == a {
             return;
         }
+        // What has no area is a sliver by any limit.
+        let Some(kind) = sliver_kind(points, limit) else { return };
         if is_straight(&points) {
             found.zero_area.push(face);
-        } else if let Some(kind) = sliver_kind(points, limit) {
-            found.slivers.push(Sliver { face, kind, aspect: aspect::aspect(points) });
+        } else {
+            found.slivers.push(Sliver { face, kind, aspect: aspect(points) });
         }
         return;
     }
