@@ -56,3 +56,23 @@ fn a_search_beyond_its_budget_says_how_far_it_came() {
         assert!(stopped.pairs.iter().eq(complete));
     }
 }
+
+#[test]
+fn a_search_of_all_at_once_finds_what_one_run_by_run_finds() {
+    let mut state = 1_u64;
+    let mut below = |end: u64| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) % end
+    };
+    for round in 0..60 {
+        let size = 2 + round % 7;
+        let points: Vec<[f64; 3]> = (0..40).map(|_| [(); 3].map(|()| below(size) as f64)).collect();
+        // Faces of three to five corners, many of them no simple polygons.
+        let starts: Vec<u32> =
+            (0..=60).scan(0, |end, _| Some(std::mem::replace(end, *end + 3 + below(3) as u32))).collect();
+        let corners: Vec<u32> = (0..starts[60]).map(|_| below(40) as u32).collect();
+        let mesh = PolygonMesh::from_polygons(&points, &corners, &starts).unwrap();
+        let run_by_run = IntersectionOptions { budget: Budget::Tests(0), ..IntersectionOptions::default() };
+        assert_eq!(found(&mesh, 2, IntersectionOptions::default()), found(&mesh, 2, run_by_run), "{round}");
+    }
+}

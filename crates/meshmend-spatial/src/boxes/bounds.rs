@@ -46,6 +46,13 @@ impl Bounds {
             & (other.low[2] <= self.high[2])
     }
 
+    /// The length of its longest side, within rounding.
+    #[inline]
+    pub fn size(&self) -> f64 {
+        let ([a, b, c], [p, q, r]) = (self.low, self.high);
+        greater(greater(p - a, q - b), r - c)
+    }
+
     /// The point in its middle.
     #[inline]
     pub fn centre(&self) -> Point {

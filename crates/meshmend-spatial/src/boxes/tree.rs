@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use super::bounds::Bounds;
+use crate::unit::Unit;
 
 /// Most items of a leaf.
-const LEAF: usize = 8;
+const LEAF: usize = super::few::MOST;
 /// Parts with fewer items are split by one thread.
 const PARALLEL: usize = 4096;
 
@@ -40,7 +41,8 @@ pub struct Query {
 /// An item while items are halved.
 #[derive(Clone, Copy)]
 struct Placed {
-    centre: [f64; 3],
+    /// The centre of its box, in steps of 2⁻³¹ of the whole.
+    centre: [u32; 3],
     item: u32,
 }
 
@@ -57,6 +59,28 @@ impl BoxTree {
         let mut tree = BoxTree { items, nodes: Vec::new(), depth };
         tree.nodes = tree.enclosing(&bounds);
         tree
+    }
+
+    /// The items in the order of the leaves, in which items that are near each other are near each other.
+    #[inline]
+    pub fn items(&self) -> &[u32] {
+        &self.items
+    }
+
+    pub(super) fn depth(&self) -> u32 {
+        self.depth
+    }
+
+    /// The box of a node.
+    #[inline]
+    pub(super) fn bounds_of(&self, node: usize) -> &Bounds {
+        &self.nodes[node].bounds
+    }
+
+    /// The box of a leaf.
+    #[inline]
+    pub fn bounds_of_leaf(&self, leaf: usize) -> &Bounds {
+        self.bounds_of((1 << self.depth) - 1 + leaf)
     }
 
     /// Finds for each of some queries the items whose boxes overlap its box: `found` gets the query's place and the item, in an
@@ -195,23 +219,35 @@ impl<B: Fn(usize) -> Bounds> Walk<'_, B> {
 
 /// The items in the order of the leaves.
 fn halved(count: usize, depth: u32, bounds: &(impl Fn(usize) -> Bounds + Sync)) -> Vec<u32> {
-    let placed = |item: usize| Placed { centre: bounds(item).centre(), item: item as u32 };
-    let mut all: Vec<Placed> = (0..count).into_par_iter().with_min_len(PARALLEL).map(placed).collect();
-    halve(&mut all, depth);
-    all.into_iter().map(|placed| placed.item).collect()
+    let items = || (0..count).into_par_iter().with_min_len(PARALLEL);
+    let all = items().map(bounds).reduce(|| Bounds::NONE, |one, other| one.with(&other));
+    let place = |x: f64, low: f64| x / 2.0 - low / 2.0;
+    let extent = (0..3).map(|i| place(all.high[i], all.low[i])).fold(0.0, f64::max);
+    let unit = Unit::of(extent);
+    let placed = |item: usize| {
+        let centre = bounds(item).centre();
+        let centre = unit.shrunk(std::array::from_fn(|i| place(centre[i], all.low[i])));
+        Placed { centre: centre.map(|x| (x * f64::from(1_u32 << 31)) as u32), item: item as u32 }
+    };
+    let mut placed: Vec<Placed> = items().map(placed).collect();
+    halve(&mut placed, depth);
+    placed.into_iter().map(|placed| placed.item).collect()
 }
 
 fn halve(all: &mut [Placed], levels: u32) {
     if levels == 0 {
         return;
     }
-    let extent = Bounds::of(all.iter().map(|placed| placed.centre));
-    let lengths: [f64; 3] = std::array::from_fn(|i| extent.high[i] - extent.low[i]);
+    let none = ([u32::MAX; 3], [0; 3]);
+    let (low, high) = all.iter().fold(none, |(low, high), Placed { centre, .. }| {
+        (std::array::from_fn(|i| low[i].min(centre[i])), std::array::from_fn(|i| high[i].max(centre[i])))
+    });
+    let lengths: [u32; 3] = std::array::from_fn(|i| high[i].saturating_sub(low[i]));
     let axis = (1..3).fold(0, |most, i| if lengths[i] > lengths[most] { i } else { most });
     let [one, _] = halves(0..all.len());
     if one.end < all.len() {
-        all.select_nth_unstable_by(one.end, |p, q| {
-            p.centre[axis].total_cmp(&q.centre[axis]).then(p.item.cmp(&q.item))
+        all.select_nth_unstable_by_key(one.end, |placed| {
+            u64::from(placed.centre[axis]) << 32 | u64::from(placed.item)
         });
     }
     let is_large = all.len() >= PARALLEL;
@@ -225,17 +261,17 @@ fn halve(all: &mut [Placed], levels: u32) {
 }
 
 /// The two halves of a node's items.
-fn halves(items: std::ops::Range<usize>) -> [std::ops::Range<usize>; 2] {
+pub(super) fn halves(items: std::ops::Range<usize>) -> [std::ops::Range<usize>; 2] {
     let middle = items.start + items.len() / 2;
     [items.start..middle, middle..items.end]
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     /// Boxes of many sizes in some order.
-    fn boxes(count: usize) -> Vec<Bounds> {
+    pub(in crate::boxes) fn boxes(count: usize) -> Vec<Bounds> {
         let mut state = 1_u64;
         let mut next = || {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

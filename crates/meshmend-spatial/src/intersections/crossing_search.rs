@@ -60,11 +60,14 @@ pub fn do_cross(one: [Point; 3], other: [Point; 3]) -> bool {
         && have_common_insides(one, other)
 }
 
-/// Whether the insides of two triangles of positive area have a point in common, and they have not the same corners.
+/// Whether the insides of two triangles of positive area have a point in common, and they have not the same corners. Their
+/// boxes overlap.
 fn have_common_insides(one: [Point; 3], other: [Point; 3]) -> bool {
-    let points = [one, other];
-    let pair = Pair::named(&points, points.map(|triangle| triangle.map(place_bits)));
-    !pair.is_coincident() && pair.meeting().is_some_and(|meeting| meeting.cells == [WHOLE; 2])
+    let pair = Pair::named([&one, &other], [one, other].map(|triangle| triangle.map(place_bits)));
+    let size = Bounds::of(one).size().max(Bounds::of(other).size());
+    !pair.is_coincident()
+        && !pair.is_seen_to_be_proper(size)
+        && pair.meeting().is_some_and(|meeting| meeting.cells == [WHOLE; 2])
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 
 mod crossing_search;
 mod hits;
+mod join;
 mod report;
 mod run;
 mod search;

@@ -1,6 +1,5 @@
 //! A run of faces, each compared with all higher faces.
 
-use std::cmp::Reverse;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -8,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use meshmend_core::{Column, FaceId, Id};
 use petgraph::unionfind::UnionFind;
 
-use super::hits::{Coplanar, Hit, hit};
+use super::hits::{Coplanar, Hit, Met, Piece, hit, one_for_two_faces};
 use super::report::{FacePair, Figures, Listed};
 use crate::boxes::{Bounds, BoxTree, Query};
 use crate::meeting::{Contact, shown_point};
@@ -55,15 +54,6 @@ pub(super) struct Run {
     pub(super) self_crossing: Vec<FaceId>,
 }
 
-/// Two triangles of two faces that meet; in the order in which the first is the one to name for its faces.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Found {
-    faces: [u32; 2],
-    contact: Reverse<Contact>,
-    coplanar: Coplanar,
-    triangles: [u32; 2],
-}
-
 impl Subject<'_> {
     /// Compares some faces in a row with all higher ones.
     pub(super) fn run(&self, faces: Range<usize>) -> Run {
@@ -77,8 +67,7 @@ impl Subject<'_> {
             queries.extend(triangles.map(|at| Query { bounds: self.bounds(at), from: at as u32 + 1 }));
             found.clear();
             self.compare(first, &queries, &mut found, &mut run);
-            found.sort_unstable();
-            found.dedup_by_key(|found| found.faces);
+            one_for_two_faces(&mut found, self.surface);
             self.report(&found, &mut run);
         }
         run.self_crossing.sort_unstable();
@@ -87,22 +76,16 @@ impl Subject<'_> {
     }
 
     /// Compares the triangles of some queries, the first of which has the number `first`, with what overlaps them.
-    fn compare(&self, first: usize, queries: &[Query], found: &mut Vec<Found>, run: &mut Run) {
-        let all = self.surface.triangles();
+    fn compare(&self, first: usize, queries: &[Query], found: &mut Vec<Met>, run: &mut Run) {
+        let piece = |number: usize| Piece::of(self.surface, number as u32);
         self.tree.each_overlap(
             queries,
             |at| self.bounds(at),
             |query, other| {
-                let (one, two) = (&all[first + query], &all[other]);
                 run.tests += 1;
-                match hit(self.surface, one, two) {
-                    Some(Hit::SelfCrossing) => run.self_crossing.push(one.face),
-                    Some(Hit::Faces(contact, coplanar)) => found.push(Found {
-                        faces: [one.face.0, two.face.0],
-                        contact: Reverse(contact),
-                        coplanar,
-                        triangles: [(first + query) as u32, other as u32],
-                    }),
+                match hit(self.surface, &piece(first + query), &piece(other)) {
+                    Some(Hit::SelfCrossing(face)) => run.self_crossing.push(face),
+                    Some(Hit::Faces(met)) => found.push(met),
                     None => {}
                 }
             },
@@ -110,30 +93,31 @@ impl Subject<'_> {
     }
 
     /// Counts pairs, joins those that cross, and lists what there is room for.
-    fn report(&self, found: &[Found], run: &mut Run) {
-        for pair in found {
-            run.figures.add(pair.contact.0, pair.coplanar == Coplanar::Yes);
-            pair.faces.iter().for_each(|&face| self.contacts[FaceId(face)].add(pair.contact.0));
+    pub(super) fn report(&self, found: &[Met], run: &mut Run) {
+        for met in found {
+            run.figures.add(met.contact, met.coplanar == Coplanar::Yes);
+            met.faces(self.surface).iter().for_each(|&face| self.contacts[face].add(met.contact));
         }
-        let crossing = || found.iter().filter(|pair| pair.contact.0 == Contact::FaceFace);
+        let crossing = || found.iter().filter(|met| met.contact == Contact::FaceFace);
         if crossing().next().is_some() {
             let mut clusters = self.clusters.lock().unwrap_or_else(PoisonError::into_inner);
-            crossing().for_each(|pair| {
-                clusters.union(pair.faces[0], pair.faces[1]);
+            crossing().for_each(|met| {
+                let [one, other] = met.faces(self.surface);
+                clusters.union(one.0, other.0);
             });
         }
         let Run { listed, pairs, .. } = run;
-        let there_is_room = |pair: &&Found| listed.takes(pair.contact.0, self.limit);
-        pairs.extend(found.iter().filter(there_is_room).map(|pair| self.listed(pair)));
+        let there_is_room = |met: &&Met| listed.takes(met.contact, self.limit);
+        pairs.extend(found.iter().filter(there_is_room).map(|met| self.listed(met)));
     }
 
-    fn listed(&self, found: &Found) -> FacePair {
-        let is_coplanar = found.coplanar == Coplanar::Yes;
-        let points = found.triangles.map(|at| self.surface.points(&self.surface.triangles()[at as usize]));
-        let is_crossing = found.contact.0 == Contact::FaceFace;
+    fn listed(&self, met: &Met) -> FacePair {
+        let is_coplanar = met.coplanar == Coplanar::Yes;
+        let points = met.triangles.map(|at| self.surface.points(&self.surface.triangles()[at as usize]));
+        let is_crossing = met.contact == Contact::FaceFace;
         FacePair {
-            faces: found.faces.map(FaceId),
-            contact: found.contact.0,
+            faces: met.faces(self.surface),
+            contact: met.contact,
             is_coplanar,
             point: is_crossing.then(|| shown_point(points, is_coplanar)),
         }

@@ -6,6 +6,8 @@ use meshmend_core::{FaceId, Id};
 use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
+use super::hits::one_for_two_faces;
+use super::join::joined;
 use super::report::{Figures, IntersectionOptions, Intersections};
 use super::run::{Greatest, Run, Subject};
 use crate::boxes::{Bounds, BoxTree};
@@ -27,9 +29,17 @@ pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Int
     let clusters = Mutex::new(UnionFind::new(faces));
     let contacts = (0..faces).map(|_| Greatest::default()).collect();
     let subject = Subject { surface, tree, clusters, contacts, limit: options.limit };
-    let mut total = Run::default();
     let (budget, runs) = (options.budget.tests(faces), faces.div_ceil(RUN));
+    let mut total = Run::default();
     let mut done = 0;
+    if let Some(mut joined) = joined(&subject, budget) {
+        one_for_two_faces(&mut joined.met, surface);
+        subject.report(&joined.met, &mut total);
+        total.self_crossing = joined.self_crossing;
+        total.self_crossing.sort_unstable();
+        total.self_crossing.dedup();
+        done = runs;
+    }
     while done < runs && total.tests <= budget {
         let next = done..runs.min(done + AT_A_TIME * rayon::current_num_threads());
         let found: Vec<Run> =
@@ -46,7 +56,7 @@ pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Int
         pairs: total.pairs,
         contacts: subject.contacts.values().iter().map(Greatest::get).collect(),
         self_crossing: total.self_crossing,
-        figures: is_complete.then(|| joined(total.figures, subject.clusters)),
+        figures: is_complete.then(|| with_clusters(total.figures, subject.clusters)),
         complete_to: (!is_complete).then(|| FaceId::new(done * RUN - 1)),
         zero_area: surface.zero_area().to_vec(),
         unfit: surface.unfit().to_vec(),
@@ -62,7 +72,7 @@ fn add(total: &mut Run, run: Run, limit: usize) {
 }
 
 /// The figures with those of the classes of faces that cross.
-fn joined(mut figures: Figures, clusters: Mutex<UnionFind<u32>>) -> Figures {
+fn with_clusters(mut figures: Figures, clusters: Mutex<UnionFind<u32>>) -> Figures {
     if figures.crossing + figures.overlapping == 0 {
         return figures;
     }

@@ -9,9 +9,9 @@ type Turns = [[Sign; 3]; 3];
 
 /// The smallest cells that hold what two triangles in one plane have in common.
 pub(super) fn cells(pair: &Pair<'_>) -> Option<[Cell; 2]> {
-    let (axis, sign) = projection_of(pair.points[0])?;
+    let (axis, sign) = projection_of(*pair.points[0])?;
     let seen = pair.points.map(|triangle| triangle.map(|corner| axis.seen(corner)));
-    let signs = [sign, turn_along(axis, pair.points[1])];
+    let signs = [sign, turn_along(axis, *pair.points[1])];
     let [f, g] = [0, 1].map(|which| Half { pair, seen: &seen, which, sign: signs[which] });
     if f.is_shared_alone() || g.is_shared_alone() {
         return Some(pair.shared);
@@ -66,7 +66,7 @@ impl Half<'_> {
 
     fn is_same(&self, own: usize, other: usize) -> bool {
         let [first, second] = if self.which == 0 { [own, other] } else { [other, own] };
-        self.pair.same[first].is_some_and(|same| usize::from(same) == second)
+        self.pair.same(first) == Some(second)
     }
 }
 

@@ -5,6 +5,7 @@
 mod contact;
 mod in_plane;
 mod on_line;
+mod seen;
 mod shown;
 
 use meshmend_geometry::vector::Point;
@@ -19,9 +20,9 @@ pub(crate) use shown::shown_point;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair<'a> {
     /// The corners of each.
-    points: &'a [[Point; 3]; 2],
-    /// For each corner of the first the one of the second at its position.
-    same: [Option<u8>; 3],
+    points: [&'a [Point; 3]; 2],
+    /// Bit 3 i + k says whether corner i of the first is at the position of corner k of the second.
+    same: u16,
     /// The corners of each that the other has too.
     shared: [Cell; 2],
 }
@@ -38,22 +39,19 @@ pub(crate) struct Meeting {
 impl<'a> Pair<'a> {
     /// Two triangles, the names of whose corners are equal where their positions are.
     #[inline]
-    pub(crate) fn named<N: PartialEq + Copy>(points: &'a [[Point; 3]; 2], [f, g]: [[N; 3]; 2]) -> Self {
-        let place = |name: N| match [name == g[0], name == g[1], name == g[2]] {
-            [true, ..] => Some(0),
-            [_, true, _] => Some(1),
-            [.., true] => Some(2),
-            _ => None,
-        };
-        let same = [place(f[0]), place(f[1]), place(f[2])];
-        let mut shared = [0; 2];
-        for (at, other) in same.into_iter().enumerate() {
-            if let Some(other) = other {
-                shared[0] |= 1 << at;
-                shared[1] |= 1 << other;
-            }
-        }
-        Pair { points, same, shared }
+    pub(crate) fn named<N: PartialEq + Copy>(points: [&'a [Point; 3]; 2], [f, g]: [[N; 3]; 2]) -> Self {
+        let row =
+            |name: N| u16::from(name == g[0]) | u16::from(name == g[1]) << 1 | u16::from(name == g[2]) << 2;
+        let [a, b, c] = f.map(row);
+        let of_first = u8::from(a != 0) | u8::from(b != 0) << 1 | u8::from(c != 0) << 2;
+        Pair { points, same: a | b << 3 | c << 6, shared: [of_first, (a | b | c) as Cell] }
+    }
+
+    /// The corner of the second triangle that is at the position of a corner of the first.
+    #[inline]
+    fn same(&self, corner: usize) -> Option<usize> {
+        let row = self.same >> (3 * corner) & 0b111;
+        (row != 0).then(|| row.trailing_zeros() as usize)
     }
 
     /// How the triangles meet; `None` if they are apart.
@@ -91,7 +89,7 @@ impl<'a> Pair<'a> {
             return cells[0] != WHOLE;
         }
         let [f, g] = cells;
-        let corners = (0..3).filter(|at| f >> at & 1 == 1).map(|at| self.same[at]);
+        let corners = (0..3).filter(|at| f >> at & 1 == 1).map(|at| self.same(at));
         let image = corners.map(|other| other.map(|at| 1 << at)).sum::<Option<Cell>>();
         f != WHOLE && image == Some(g)
     }
@@ -104,7 +102,7 @@ impl<'a> Pair<'a> {
     /// On which side of the other triangle's plane the corners of the first one (0) or the second (1) lie.
     #[inline]
     fn sides_of(&self, which: usize) -> [Sign; 3] {
-        let (plane, corners) = (Plane::of(self.points[1 - which]), &self.points[which]);
+        let (plane, corners) = (Plane::of(*self.points[1 - which]), self.points[which]);
         let side = |at: usize| {
             if self.shared[which] >> at & 1 == 1 { Sign::Zero } else { plane.side(corners[at]) }
         };

@@ -42,13 +42,12 @@ pub(super) fn cells(pair: &Pair<'_>, sides: [[Sign; 3]; 2]) -> Option<[Cell; 2]>
 
 /// Which of two ends comes first along the line of the planes; all questions about one pair of triangles go by one direction.
 fn order(pair: &Pair<'_>, one: End, other: End) -> Sign {
-    let are_one =
-        |at: usize| pair.same[at].is_some_and(|same| [other.above, other.below].contains(&usize::from(same)));
+    let are_one = |at: usize| pair.same(at).is_some_and(|same| [other.above, other.below].contains(&same));
     if are_one(one.above) || are_one(one.below) {
         // The other end of such a side is off the plane, so that both ends are the shared corner.
         return Sign::Zero;
     }
-    let [f, g] = &pair.points;
+    let [f, g] = pair.points;
     side_of_plane([f[one.above], f[one.below], g[other.above]], g[other.below])
 }
 

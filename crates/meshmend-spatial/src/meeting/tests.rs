@@ -9,8 +9,8 @@ type Triangle = [Point; 3];
 const FLAT: Triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 
 fn contact(f: Triangle, g: Triangle) -> Option<(Contact, bool)> {
-    let points = [f, g];
-    let pair = Pair::named(&points, points.map(|triangle| triangle.map(place_bits)));
+    let points = [&f, &g];
+    let pair = Pair::named(points, points.map(|triangle| triangle.map(place_bits)));
     let meeting = pair.meeting()?;
     if pair.is_coincident() {
         return Some((Contact::Coincident, true));

@@ -37,4 +37,10 @@ impl Triangle {
     pub fn cell_of_face(&self, cell: Cell) -> Cell {
         if self.inside >> cell & 1 == 1 { WHOLE } else { cell }
     }
+
+    /// Whether some corner or side of the triangle lies inside the face.
+    #[inline]
+    pub(crate) fn has_inside(&self) -> bool {
+        self.inside != 0
+    }
 }
