@@ -15,8 +15,8 @@ use thiserror::Error;
 
 use crate::sewing::KeptSewing;
 use crate::{
-    Clearance, DropRecord, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures, TJunctionRecord,
-    TellingLayers,
+    ApartRecord, Clearance, DropRecord, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures,
+    TJunctionRecord, TellingLayers,
 };
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
@@ -80,6 +80,8 @@ pub struct Outcome {
     pub t_junctions: Vec<TJunctionRecord>,
     /// What was dropped, where the pass drops parts.
     pub dropped: Option<DropRecord>,
+    /// What became of the vertices at places of others, where the pass keeps these apart.
+    pub apart: Vec<ApartRecord>,
 }
 
 impl Outcome {
@@ -101,6 +103,7 @@ impl Outcome {
             loops: Vec::new(),
             t_junctions: Vec::new(),
             dropped: None,
+            apart: Vec::new(),
         }
     }
 }

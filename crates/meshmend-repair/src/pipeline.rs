@@ -13,9 +13,9 @@ pub use self::storage::{FaceStorage, Writing};
 use crate::figures::Figures;
 use crate::session::Aim;
 use crate::{
-    AnyPass, Clearance, Compact, Distance, DropRecord, Emptied, Emptying, Fixed, Heal, Looked, LoopRecord,
-    NonOrientable, Orient, Pass, PassError, PassKind, Plan, Precision, Repeated, SeamFigures, Seams, Session,
-    Side, Subdivision, TJunctionRecord, Unused, Weld,
+    AnyPass, ApartRecord, Clearance, Compact, Distance, DropRecord, Emptied, Emptying, Fixed, Heal, Looked,
+    LoopRecord, NonOrientable, Orient, Pass, PassError, PassKind, Plan, Precision, Repeated, SeamFigures,
+    Seams, Session, Side, Subdivision, TJunctionRecord, Unused, Weld,
 };
 
 /// Passes in order, with their options.
@@ -109,6 +109,8 @@ pub struct PassRecord {
     pub t_junctions: Vec<TJunctionRecord>,
     /// What was dropped, where the pass drops parts.
     pub dropped: Option<DropRecord>,
+    /// What became of the vertices at places of others, where the pass keeps these apart.
+    pub apart: Vec<ApartRecord>,
     /// How the pass came to know the topology of the mesh, if it uses that.
     pub looked: Option<Looked>,
 }

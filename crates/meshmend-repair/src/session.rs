@@ -266,7 +266,7 @@ impl<'a> Session<'a> {
             self.removed_faces.extend(removed);
             self.created_faces = created_faces(&self.created_faces, &outcome.provenance, kind);
             self.history = self.history.extended(&outcome.provenance, &outcome.mesh);
-            self.since_moved = if kind.is_own() && moves(&self.mesh, &outcome) {
+            self.since_moved = if may_move(kind) && moves(&self.mesh, &outcome) {
                 Some(History::begin(&outcome.mesh))
             } else {
                 let since = self.since_moved.take();
@@ -288,6 +288,7 @@ impl<'a> Session<'a> {
             loops: outcome.loops,
             t_junctions: outcome.t_junctions,
             dropped: outcome.dropped,
+            apart: outcome.apart,
             looked,
         });
         Ok(&self.records[self.records.len() - 1])
@@ -409,6 +410,11 @@ fn carried(faces: &[(FaceId, PassKind)], change: &Provenance) -> Vec<(FaceId, Pa
     }
     let said = |old: FaceId| faces.binary_search_by_key(&old, |(face, _)| *face).ok().map(|at| faces[at].1);
     change.faces.iter().filter_map(|(face, old)| Some((face, said(old?)?))).collect()
+}
+
+/// Whether a pass may put vertices elsewhere than they were.
+fn may_move(kind: PassKind) -> bool {
+    kind.is_own() || kind == PassKind::KeepApart
 }
 
 /// Whether a vertex is elsewhere than it was in the mesh before.

@@ -64,7 +64,7 @@ fn an_open_component_has_no_volume_to_be_under_a_limit() {
 
 #[test]
 fn what_is_inside_goes_when_asked_for() {
-    let mesh = boxes(&[cube(0.0, 4.0), cube(1.0, 1.0), [[-1.0, 1.0, 1.0], [2.0, 3.0, 3.0]]]);
+    let mesh = boxes(&[cube(0.0, 4.0), cube(3.0, 0.5), [[-1.0, 1.0, 1.0], [2.0, 3.0, 3.0]]]);
     assert!(dropped(&mesh, SmallComponents::Keep, Internal::Keep).provenance.is_same());
     let whole = dropped(&mesh, SmallComponents::Keep, Internal::RemoveComponents);
     let record = whole.dropped.unwrap();

@@ -49,7 +49,7 @@ pub use shape::{Shapes, Sliver, SliverKind, compare_aspects, is_straight, shapes
 pub use sight::{Front, fronts};
 pub use slivers::{
     Attributes, FoundSliver, LeftSliver, MendedSlivers, NoAttributes, Reshaped, SliverMend, SliverReason,
-    SliverStep, SliverTask, mend_slivers,
+    SliverStep, SliverTask, agreement, mend_slivers,
 };
 pub use surface::{Cell, Surface, Triangle, WHOLE};
 pub use t_junctions::{TJunction, t_junctions};

@@ -11,7 +11,7 @@ use meshmend_repair::{Distance, PassError, Session, Weld};
 use meshmend_topology::TopologyReport;
 use serde::Serialize;
 
-use crate::geometry_questions::GeometryReport;
+use crate::geometry_questions::{GeometryOptions, GeometryReport};
 use crate::{AnyKernel, CheckOptions, Kernels, View};
 
 /// What a check found.
@@ -86,9 +86,11 @@ pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, 
     let mesh = viewed(&mut session, options.view)?;
     let topology = options.kernel.topology(&mesh.0, options.witness)?;
     let stored = StoredCounts::of(session.stored());
-    let geometry = options.geometry.map(|asked| GeometryReport::of(&mesh.0, &asked)).transpose()?;
     let report = CheckReport::new(options.view, stored, mesh, topology, options.rules, options.kernels);
-    Ok(CheckReport { geometry, ..report })
+    match &options.geometry {
+        Some(asked) => report.with_geometry(asked),
+        None => Ok(report),
+    }
 }
 
 /// Checks the mesh of a session that has just begun, as [`check`] does. A pipeline may go on with the session.
@@ -124,6 +126,17 @@ pub(crate) fn viewed(
 }
 
 impl CheckReport {
+    /// The report with answers about where the faces of its mesh lie.
+    ///
+    /// # Errors
+    /// As [`GeometryReport::of`].
+    ///
+    /// *Cost*: that of [`GeometryReport::of`].
+    pub fn with_geometry(self, asked: &GeometryOptions) -> Result<Self, PassError> {
+        let geometry = Some(GeometryReport::of(&self.mesh, asked)?);
+        Ok(CheckReport { geometry, ..self })
+    }
+
     /// The report on a mesh as stored whose topology is known already, as it is after a repair.
     ///
     /// *Cost*: an exact weld, and what other rules than meshmend's own take.

@@ -235,7 +235,9 @@ pub use meshmend_topology::matrices;
 pub use by_name::{NamedReport, check_by_name};
 pub use check::{CheckReport, KernelVerdict, StoredCounts, check, check_in};
 pub use check_options::CheckOptions;
-pub use geometry_questions::{GeometryOptions, GeometryReport, Question, Questions};
+pub use geometry_questions::{
+    GeometryChange, GeometryChanges, GeometryMarks, GeometryOptions, GeometryReport, Question, Questions,
+};
 pub use loops::{CutOptions, CutReport, LoopError, LoopOptions, LoopReport, PathOptions, cut, loops};
 pub use matrix_questions::{MatrixAnswers, MatrixError, MatrixQuestions, Neighbourhood};
 pub use mend::repair;

@@ -9,6 +9,7 @@ mod explain;
 #[cfg(feature = "flatten")]
 mod flatten;
 mod incremental;
+mod judging;
 mod kernels;
 #[cfg(not(all(feature = "flatten", feature = "render", feature = "completions")))]
 mod left_out;

@@ -7,16 +7,18 @@ use clap::Args;
 use meshmend::formats::{Placing, Prepared, held_layers, replace_file, rounding_losses};
 use meshmend::mesh::{Domain, DraftError, Provenance};
 use meshmend::passes::{FaceStorage, Precision, Writing};
-use meshmend::report::{CheckDocument, ProvenanceDocument, RepairDocument};
+use meshmend::report::{ProvenanceDocument, RepairDocument};
 use meshmend::{
-    CheckOptions, CheckReport, Encoding, Format, PassError, Pipeline, Plan, PolygonMesh, ReadFile, Repaired,
-    Rules, Session, View, WriteError, WriteOptions, check, check_in,
+    Encoding, Format, Pipeline, Plan, PolygonMesh, ReadFile, Repaired, Rules, Session, View, WriteError,
+    WriteOptions,
 };
 
 use super::check::json_line;
+use super::judging::Judging;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
+use crate::geometry_words::GeometryWords;
 use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
 use crate::parts::PartWords;
@@ -64,6 +66,8 @@ pub(crate) struct Repair {
     pub(super) parts: PartWords,
     #[command(flatten)]
     pub(super) words: OutputWords,
+    #[command(flatten)]
+    geometry: GeometryWords,
     #[command(flatten)]
     pub(super) policies: Policies,
 }
@@ -131,6 +135,7 @@ impl Repair {
         // What is wrong with the command line is told before anything is read.
         let plan = self.policies.plan()?;
         let kernel = words::kernel(&self.kernel)?;
+        let judging = self.judging(rules)?;
         self.check_files()?;
         self.reserve_output(console)?;
 
@@ -139,7 +144,7 @@ impl Repair {
         let document = self.from.read_document(&self.input, console)?;
         if !document.is_whole() || self.parts.by.is_some() {
             drop(progress);
-            return self.repair_parts(document, (plan, kernel, rules), console);
+            return self.repair_parts(document, (plan, kernel, judging), console);
         }
         self.parts.chosen(&document)?;
         let file = as_one_mesh(document, Placing::Parts, &self.input)?;
@@ -151,18 +156,20 @@ impl Repair {
         let mut before = None;
         if !self.quiet {
             session = session.with_figures();
-            before = Some(self.before(&mut session, &file, rules)?);
+            let view = View::usual_for(file.format);
+            let mut judged = judging.before(&mut session, view).map_err(failed)?;
+            judged.document = judged.document.of_file(name(&self.input), &file);
+            before = Some(judged);
         }
         let session = session.with_kernel(kernel).with_progress(|pass| progress.step(pass.name()));
         let mut repaired = pipeline.run_in(session).map_err(failed)?;
         progress.step("report");
         let mut document = RepairDocument::new(&file.mesh, &repaired, self.limit);
         document.file = Some(name(&self.input));
-        document.before = before;
         document.notes = file.notes;
         document.provenance = self.report_maps.then(|| ProvenanceDocument::new(&repaired.provenance));
         if !self.quiet || self.makes_json() {
-            document.after = Some(self.after(&mut repaired, rules).map_err(failed)?);
+            judging.add(before, &mut repaired, &mut document).map_err(failed)?;
         }
         progress.step("write");
         let prepared = target.as_ref().map(|target| target.prepared(&repaired.mesh)).transpose()?;
@@ -228,24 +235,9 @@ impl Repair {
             .check()
     }
 
-    fn before(
-        &self,
-        session: &mut Session<'_>,
-        file: &ReadFile,
-        rules: Rules,
-    ) -> Result<CheckDocument, Failure> {
-        let report = check_in(session, View::usual_for(file.format), rules)
-            .map_err(|error| Failure::of_pass(&name(&self.input), &error))?;
-        Ok(CheckDocument::new(report, self.limit).of_file(name(&self.input), file))
-    }
-
-    /// The state after: what `verify` found, or a check where the plan leaves that out.
-    pub(super) fn after(&self, repaired: &mut Repaired, rules: Rules) -> Result<CheckDocument, PassError> {
-        let report = match repaired.topology.take() {
-            Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, rules),
-            None => check(&repaired.mesh, &CheckOptions::default().with_rules(rules))?,
-        };
-        Ok(CheckDocument::new(report, self.limit))
+    /// How the mesh is judged before and after.
+    fn judging(&self, rules: Rules) -> Result<Judging, Failure> {
+        Ok(Judging { rules, limit: self.limit, geometry: self.geometry.options(&[], usize::MAX)? })
     }
 
     /// Says in the report what will be written, and what is lost by it.

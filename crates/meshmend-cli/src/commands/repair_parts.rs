@@ -3,10 +3,11 @@
 use meshmend::formats::{Document, Part, PartSource, PartStatus, Placing, PreparedDocument, WriteError};
 use meshmend::mesh::{DraftError, Provenance};
 use meshmend::passes::{Emptying, NamedPart, PassError, joined_parts, named_parts};
-use meshmend::report::{CheckDocument, PartsDocument, ProvenanceDocument, RepairDocument};
-use meshmend::{KernelKind, Loss, Pipeline, Plan, PolygonMesh, Repaired, Rules, Session, View, check_in};
+use meshmend::report::{PartsDocument, ProvenanceDocument, RepairDocument};
+use meshmend::{KernelKind, Loss, Pipeline, Plan, PolygonMesh, Repaired, Session, View};
 
 use super::check::json_line;
+use super::judging::Judging;
 use super::repair::{Repair, Target};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -44,7 +45,7 @@ struct Work<'a> {
     target: Option<&'a Target<'a>>,
     plan: Plan,
     kernel: KernelKind,
-    rules: Rules,
+    judging: Judging,
 }
 
 impl Repair {
@@ -52,7 +53,7 @@ impl Repair {
     pub(super) fn repair_parts(
         &self,
         document: Document,
-        (plan, kernel, rules): (Plan, KernelKind, Rules),
+        (plan, kernel, judging): (Plan, KernelKind, Judging),
         console: &mut Console<'_>,
     ) -> Result<Status, Failure> {
         let named = self.parts.by.map(|by| Named::of(by, &document, &name(&self.input))).transpose()?;
@@ -64,7 +65,7 @@ impl Repair {
         let target = self.document_target(&document)?;
         // A file of parts can't hold one without faces: such a part is given back as it was.
         let plan = Plan { empty: Emptying::Refuse, ..plan };
-        let work = Work { repair: self, target: target.as_ref(), plan, kernel, rules };
+        let work = Work { repair: self, target: target.as_ref(), plan, kernel, judging };
         let (mut repaired, records) = work.all(document, &chosen, console)?;
         let whole = named.as_ref().map(|named| named.joined(&repaired, &records)).transpose()?;
         let written = whole.as_ref().unwrap_or(&repaired.document);
@@ -203,14 +204,12 @@ impl Work<'_> {
         let mut before = None;
         if !repair.quiet {
             session = session.with_figures();
-            let report = check_in(&mut session, view, self.rules)?;
-            before = Some(CheckDocument::new(report, repair.limit));
+            before = Some(self.judging.before(&mut session, view)?);
         }
         let mut repaired = pipeline.run_in(session.with_kernel(self.kernel))?;
         let mut report = RepairDocument::new(mesh, &repaired, repair.limit);
-        report.before = before;
         report.provenance = repair.report_maps.then(|| ProvenanceDocument::new(&repaired.provenance));
-        report.after = Some(repair.after(&mut repaired, self.rules)?);
+        self.judging.add(before, &mut repaired, &mut report)?;
         let Repaired { mesh, provenance, .. } = repaired;
         Ok((report, mesh, provenance))
     }

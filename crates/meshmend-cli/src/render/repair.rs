@@ -7,7 +7,7 @@ use meshmend::mesh::{Listed, counted};
 
 use meshmend::passes::{Looked, LoopRecord, SeamFigures};
 use meshmend::report::{DroppedDocument, FigureChanges, Listing, NamedFace, PassDocument, RepairDocument};
-use meshmend::{DefectKind, Loss, PassKind, Severity};
+use meshmend::{DefectKind, GeometryChange, GeometryChanges, Loss, PassKind, Severity};
 
 use super::check::{column, defects};
 use super::table::{self, Align};
@@ -29,12 +29,32 @@ pub(crate) fn repair(document: &RepairDocument, style: Style) -> String {
     page.push_str(&paragraph(&style.heading("still wrong"), wrong));
     let known = after.map(|after| defects(after, Severity::Note)).unwrap_or_default();
     page.push_str(&paragraph(&style.heading("worth knowing"), known));
+    let lie = document.geometry_changes.as_ref().map(geometry_changes).unwrap_or_default();
+    page.push_str(&paragraph(&style.heading("where the faces lie"), lie));
     let losses = document.losses.iter().map(|loss| printable(&loss.to_string()));
     page.push_str(&paragraph(&style.heading("what the output can't carry"), losses));
     page.push_str(seam_hint(&document.losses));
     let notes = document.notes.iter().map(|note| printable(&note.to_string()));
     page.push_str(&paragraph(&style.heading("notes of the reader"), notes));
     page
+}
+
+/// What became of the defects of each kind that positions tell; kinds of which there were none and are none are left out.
+fn geometry_changes(changes: &GeometryChanges) -> Vec<String> {
+    let heading = ["", "before", "mended", "new", "left"].map(str::to_owned).to_vec();
+    let rows = changes.iter().filter_map(|(kind, change)| {
+        let Some(GeometryChange { before, mended, new, left }) = change else {
+            return Some(vec![kind.title().to_owned(), "the search stopped at its budget".to_owned()]);
+        };
+        let counts = [before, mended, new, left];
+        let row = std::iter::once(kind.title().to_owned()).chain(counts.map(u64::to_string));
+        counts.iter().any(|count| **count > 0).then(|| row.collect())
+    });
+    let rows: Vec<Vec<String>> = std::iter::once(heading).chain(rows).collect();
+    if rows.len() == 1 {
+        return vec!["nothing was wrong, and nothing is".to_owned()];
+    }
+    table::lines(&rows, &[Align::Left, Align::Right, Align::Right, Align::Right, Align::Right])
 }
 
 /// How to keep vertices whole that the output has several times.
@@ -114,7 +134,12 @@ fn pass(document: &PassDocument) -> Vec<String> {
     let loops = document.loops.iter().flat_map(loops);
     let t_junctions = document.t_junctions.iter().flat_map(|found| items_and_more(&found.left));
     let dropped = document.dropped.iter().flat_map(dropped);
-    lines.extend(loops.chain(t_junctions).chain(dropped).map(|line| format!("{:<12}{line}", "")));
+    let apart = document
+        .apart
+        .iter()
+        .flat_map(|apart| items_and_more(&apart.moved).chain(items_and_more(&apart.left)));
+    lines
+        .extend(loops.chain(t_junctions).chain(dropped).chain(apart).map(|line| format!("{:<12}{line}", "")));
     let left = kinds_with_counts(counts(&document.left));
     if !left.is_empty() {
         lines.push(format!("{:<12}left alone: {left}", ""));

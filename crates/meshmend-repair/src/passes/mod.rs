@@ -146,6 +146,7 @@ passes! {
     drop: DropParts, DropRecord, DroppedComponent, Internal, SmallComponents;
     outward: Outward, Turn;
     compact: Compact, LooseElements;
+    apart: KeepApart, ApartBy, ApartFate, ApartRecord, NotMoved;
     verify: Verify;
 }
 
@@ -388,6 +389,7 @@ mod tests {
             "drop",
             "outward",
             "compact",
+            "apart",
             "verify",
         ];
         assert_eq!(names, expected);

@@ -127,7 +127,7 @@ impl Pipeline {
 }
 
 /// Whether a pass leaves edges of three sides or more, vertices that can't be welded again, or what it may judge in another way
-/// once vertices are joined, or faces cut or dropped.
+/// once vertices are joined or moved, or faces cut or dropped.
 fn leaves_edges(pass: &AnyPass) -> bool {
     match pass {
         AnyPass::Split(split) => split.edges == SplitEdges::PinchOnly,
@@ -136,7 +136,7 @@ fn leaves_edges(pass: &AnyPass) -> bool {
             matches!(weld.distance, Distance::Boundary(_) | Distance::BoundaryRelative(_))
         }
         // Nothing is known of a pass of another crate.
-        AnyPass::Heal(_) | AnyPass::DropParts(_) | AnyPass::Own(_) => true,
+        AnyPass::Heal(_) | AnyPass::DropParts(_) | AnyPass::KeepApart(_) | AnyPass::Own(_) => true,
         _ => false,
     }
 }

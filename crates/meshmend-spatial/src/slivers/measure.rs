@@ -82,7 +82,9 @@ pub(super) fn shortest_square(triangle: [Point; 3]) -> f64 {
 
 /// Which way the front of one triangle turns away from that of another: positive if by less than a right angle, zero also
 /// where one has no area.
-pub(super) fn agreement(one: [Point; 3], other: [Point; 3]) -> Sign {
+///
+/// *Cost*: constant; whole numbers of any size where doubles leave a doubt.
+pub fn agreement(one: [Point; 3], other: [Point; 3]) -> Sign {
     let rounded = [one, other].map(Rounded::of);
     let size: f64 = rounded.iter().map(|triangle| triangle.squares.into_iter().fold(0.0, f64::max)).product();
     let product = dot(rounded[0].normal, rounded[1].normal);

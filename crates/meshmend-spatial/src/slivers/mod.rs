@@ -22,6 +22,7 @@ use meshmend_core::{PolygonMesh, VertexId};
 use meshmend_geometry::vector::Point;
 
 pub use ground::{Attributes, NoAttributes};
+pub use measure::agreement;
 pub use record::{FoundSliver, LeftSliver, MendedSlivers, Reshaped, SliverMend, SliverReason, SliverStep};
 
 /// A mesh whose slivers are to be mended.

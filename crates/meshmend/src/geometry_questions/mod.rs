@@ -1,5 +1,6 @@
 //! Where the faces of a mesh lie: the questions of a check that look at positions, and what they find as defects.
 
+mod changes;
 mod questions;
 
 use meshmend_core::{Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, Lie, PolygonMesh};
@@ -10,6 +11,7 @@ use meshmend_spatial::{
     nesting, open_loops, shapes, t_junctions,
 };
 
+pub use self::changes::{GeometryChange, GeometryChanges, GeometryMarks};
 pub use self::questions::{GeometryOptions, Question, Questions};
 
 /// What was found about where the faces of a mesh lie. What was not asked is `None`.

@@ -23,6 +23,7 @@ mod listing;
 mod loops_document;
 mod matrix_document;
 mod parts_document;
+mod pass_document;
 mod repair_document;
 #[cfg(feature = "flatten")]
 mod unfold_document;
@@ -42,9 +43,10 @@ pub use matrix_document::{
     NeighbourhoodDocument, RankDocument, SpectrumDocument, WalksDocument, WalksTo,
 };
 pub use parts_document::PartsDocument;
+pub use pass_document::{ApartDocument, DroppedDocument, FigureChanges, PassDocument, TJunctionsDocument};
 pub use repair_document::{
-    BeforeAndAfter, CreatedFace, CreatedVertex, DroppedDocument, EmptiedNameDocument, FigureChanges,
-    NamedFace, PassDocument, ProvenanceDocument, RemovedFaces, RepairDocument, TJunctionsDocument,
+    BeforeAndAfter, CreatedFace, CreatedVertex, EmptiedNameDocument, NamedFace, ProvenanceDocument,
+    RemovedFaces, RepairDocument,
 };
 use serde::Serialize;
 #[cfg(feature = "flatten")]

@@ -3,18 +3,15 @@
 use std::collections::BTreeMap;
 
 use meshmend_core::{
-    Aspect, Blend, Defect, DefectKind, Differences, Domain, FaceId, Id, Layer, PolygonMesh, Provenance,
-    Sources, Values, VertexId,
+    Aspect, Blend, DefectKind, Differences, Domain, FaceId, Id, Layer, PolygonMesh, Provenance, Sources,
+    Values, VertexId,
 };
 use meshmend_io::{Loss, Note};
-use meshmend_repair::{
-    DropRecord, DroppedComponent, EmptiedName, Figures, Looked, LoopRecord, PassKind, PassRecord,
-    RemovedFace, Repaired, Rounding, SeamFigures, TJunctionRecord, emptied_names,
-};
+use meshmend_repair::{EmptiedName, PassKind, RemovedFace, Repaired, Rounding, emptied_names};
 use serde::Serialize;
 
-use super::{CheckDocument, Listing, SCHEMA};
-use crate::StoredCounts;
+use super::{CheckDocument, Listing, PassDocument, SCHEMA};
+use crate::{GeometryChanges, StoredCounts};
 
 /// What a repair did, with every list cut to a limit.
 #[derive(Clone, Debug, Serialize)]
@@ -59,6 +56,9 @@ pub struct RepairDocument {
     /// Where each element came from, if that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub provenance: Option<ProvenanceDocument>,
+    /// What became of the defects of each kind that positions tell, if that was asked; null where a search stopped at its budget.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geometry_changes: Option<GeometryChanges>,
 }
 
 /// How many elements there were, and how many there are.
@@ -85,85 +85,6 @@ impl From<Rounding> for RoundingFigures {
     fn from(Rounding { moved, joined, emptied }: Rounding) -> Self {
         RoundingFigures { moved, joined, emptied }
     }
-}
-
-/// What one pass did.
-#[derive(Clone, Debug, Serialize)]
-pub struct PassDocument {
-    /// The pass.
-    pub pass: PassKind,
-    /// Whether it changed anything.
-    pub changed: bool,
-    /// What was wrong and no longer is, by ids of the mesh before the pass.
-    pub mended: BTreeMap<DefectKind, Listing<Defect>>,
-    /// What it left alone, by ids of the mesh after the pass.
-    pub left: BTreeMap<DefectKind, Listing<Defect>>,
-    /// How the figures changed, if they were taken.
-    pub delta: Option<FigureChanges>,
-    /// What cutting non-orientable patches open took, where it did.
-    pub seam: Option<SeamFigures>,
-    /// What became of each boundary loop, where the pass judged them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub loops: Option<Listing<LoopRecord>>,
-    /// What became of each vertex on an open edge, where the pass judged them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub t_junctions: Option<TJunctionsDocument>,
-    /// What was dropped, where the pass drops parts.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub dropped: Option<DroppedDocument>,
-    /// Whether `verify` looked at the mesh afresh, or was told what was known before and is still true.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub looked: Option<Looked>,
-}
-
-/// What became of the vertices on open edges.
-#[derive(Clone, Debug, Serialize)]
-pub struct TJunctionsDocument {
-    /// Those that became corners of the faces there.
-    pub healed: Listing<TJunctionRecord>,
-    /// Those that are still there, with the reason.
-    pub left: Listing<TJunctionRecord>,
-}
-
-impl TJunctionsDocument {
-    fn new(records: &[TJunctionRecord], limit: usize) -> Self {
-        let (healed, left): (Vec<TJunctionRecord>, Vec<TJunctionRecord>) =
-            records.iter().cloned().partition(TJunctionRecord::is_healed);
-        let [healed, left] = [healed, left].map(|records| Listing::cut(records.into_iter(), limit));
-        TJunctionsDocument { healed, left }
-    }
-}
-
-/// What was dropped, and what it left.
-#[derive(Clone, Debug, Serialize)]
-pub struct DroppedDocument {
-    /// The components that went as a whole.
-    pub components: Listing<DroppedComponent>,
-    /// How many edges of the boundary there are now that were none.
-    pub opened_edges: usize,
-    /// How many faces are still there of which it can't be said whether they are inside of others, where that was asked.
-    pub mixed_faces: usize,
-}
-
-impl DroppedDocument {
-    fn new(record: &DropRecord, limit: usize) -> Self {
-        DroppedDocument {
-            components: Listing::cut(record.components.iter().cloned(), limit),
-            opened_edges: record.opened_edges,
-            mixed_faces: record.mixed_faces,
-        }
-    }
-}
-
-/// How much a pass added to the three figures that show its effect.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct FigureChanges {
-    /// To V − E + F.
-    pub euler_characteristic: i64,
-    /// To the number of components.
-    pub components: i64,
-    /// To the number of boundary loops; absent where the mesh is not manifold before or after.
-    pub boundary_loops: Option<i64>,
 }
 
 /// The stored faces of which nothing is left.
@@ -279,6 +200,7 @@ impl RepairDocument {
             created_faces: Listing::cut(created_faces(repaired), limit),
             losses: Vec::new(),
             provenance: None,
+            geometry_changes: None,
         }
     }
 }
@@ -290,44 +212,6 @@ impl From<EmptiedName> for EmptiedNameDocument {
         let name = String::from_utf8_lossy(&name).into_owned();
         let kind = "emptied-name";
         EmptiedNameDocument { kind, layer, name, faces, by_reason, loose_edges, loose_points, message }
-    }
-}
-
-impl PassDocument {
-    fn new(record: &PassRecord, limit: usize) -> Self {
-        let judged = record.pass == PassKind::Fill || !record.loops.is_empty();
-        PassDocument {
-            pass: record.pass,
-            changed: record.is_changed,
-            mended: by_kind(record.fixed.iter(), limit),
-            left: by_kind(record.left.iter().cloned(), limit),
-            delta: record.figures.map(|[before, after]| FigureChanges::between(before, after)),
-            seam: record.seam,
-            loops: judged.then(|| Listing::cut(record.loops.iter().cloned(), limit)),
-            t_junctions: (record.pass == PassKind::Heal)
-                .then(|| TJunctionsDocument::new(&record.t_junctions, limit)),
-            dropped: record.dropped.as_ref().map(|record| DroppedDocument::new(record, limit)),
-            looked: record.looked,
-        }
-    }
-}
-
-fn by_kind(defects: impl Iterator<Item = Defect>, limit: usize) -> BTreeMap<DefectKind, Listing<Defect>> {
-    let mut groups: BTreeMap<DefectKind, Listing<Defect>> = BTreeMap::new();
-    for defect in defects {
-        groups.entry(defect.kind()).or_default().add(limit, || defect);
-    }
-    groups
-}
-
-impl FigureChanges {
-    fn between(before: Figures, after: Figures) -> Self {
-        let loops = before.boundary_loops.zip(after.boundary_loops);
-        FigureChanges {
-            euler_characteristic: after.euler_characteristic - before.euler_characteristic,
-            components: after.components as i64 - before.components as i64,
-            boundary_loops: loops.map(|(before, after)| after as i64 - before as i64),
-        }
     }
 }
 

@@ -212,7 +212,7 @@ fn geometry_losses(prepared: &Prepared) -> Vec<Loss> {
         Loss::if_any(LossKind::SharedVertices, parted_vertices(prepared, &uses), |n| {
             let (vertices, those) =
                 (counted(n, "vertex"), if n == 1 { "is not the one" } else { "are not those" });
-            format!("that {vertices} {those} at the same point: without indices they become one again")
+            format!("that {vertices} {those} at the same point: without indices they become one again (repair --apart nudge keeps them apart)")
         }),
     ]
     .into_iter()

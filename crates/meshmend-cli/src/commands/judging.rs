@@ -1,0 +1,61 @@
+//! What a repair's report says of a mesh before and after.
+
+use meshmend::report::{CheckDocument, RepairDocument};
+use meshmend::{
+    CheckOptions, CheckReport, GeometryMarks, GeometryOptions, PassError, Repaired, Rules, Session, View,
+    check, check_in,
+};
+
+/// How meshes are judged before a repair and after it.
+#[derive(Clone, Copy)]
+pub(super) struct Judging {
+    pub(super) rules: Rules,
+    /// How many items each list shows.
+    pub(super) limit: usize,
+    /// What is asked about where the faces lie.
+    pub(super) geometry: Option<GeometryOptions>,
+}
+
+/// What a mesh was before a repair.
+pub(super) struct Before {
+    pub(super) document: CheckDocument,
+    marks: GeometryMarks,
+}
+
+impl Judging {
+    /// Judges a mesh to which no pass was applied yet.
+    pub(super) fn before(&self, session: &mut Session<'_>, view: View) -> Result<Before, PassError> {
+        let report = self.with_geometry(check_in(session, view, self.rules)?)?;
+        let marks = self.geometry.map(|options| GeometryMarks::before(&report, &options)).unwrap_or_default();
+        Ok(Before { document: CheckDocument::new(report, self.limit), marks })
+    }
+
+    /// Adds to a report the state after: what `verify` found, or a check where the plan leaves that out; and the state before,
+    /// if that was judged.
+    pub(super) fn add(
+        &self,
+        before: Option<Before>,
+        repaired: &mut Repaired,
+        document: &mut RepairDocument,
+    ) -> Result<(), PassError> {
+        let report = match repaired.topology.take() {
+            Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, self.rules),
+            None => check(&repaired.mesh, &CheckOptions::default().with_rules(self.rules))?,
+        };
+        let report = self.with_geometry(report)?;
+        if let (Some(options), Some(before)) = (&self.geometry, &before) {
+            let after = GeometryMarks::after(&report, options, &repaired.provenance);
+            document.geometry_changes = Some(before.marks.changes_to(&after));
+        }
+        document.before = before.map(|before| before.document);
+        document.after = Some(CheckDocument::new(report, self.limit));
+        Ok(())
+    }
+
+    fn with_geometry(&self, report: CheckReport) -> Result<CheckReport, PassError> {
+        match &self.geometry {
+            Some(options) => report.with_geometry(options),
+            None => Ok(report),
+        }
+    }
+}
