@@ -15,7 +15,9 @@
 //! *Promises* that each T-junction is healed or has a reason. *Requires* nothing. *May introduce* what joining sides does:
 //! inconsistent edges, and polygons among triangles, which `triangulate` cuts again. *Cost*: O(n log n + pairs) a round.
 
-use meshmend_core::{Blend, CornerId, DefectKind, Draft, FaceTableBuilder, PolygonMesh, Provenance, Sources};
+use meshmend_core::{
+    Blend, CornerId, DefectKind, Draft, FaceId, FaceTableBuilder, PolygonMesh, Provenance, Sources, VertexId,
+};
 use meshmend_spatial::{Healed, HealedCorner, heal};
 use serde::{Deserialize, Serialize};
 
@@ -119,12 +121,12 @@ fn with_corners(mesh: &PolygonMesh, healed: &Healed) -> Result<(PolygonMesh, Pro
                 sources.extend(faces.face_corners(face).map(Some));
             }
             Some((_, corners)) => {
-                for (at, corner) in corners.iter().enumerate() {
-                    let (vertex, source) = match *corner {
-                        HealedCorner::Kept(corner) => (faces.corner_vertex(corner), Some(corner)),
-                        HealedCorner::New { vertex, share } => {
-                            let new = CornerId(sources.len() as u32);
-                            created.extend(between(corners, at, share).map(|place| (new, place)));
+                for corner in whole_face(mesh, face, corners) {
+                    let new = CornerId(sources.len() as u32);
+                    let (vertex, source) = match corner {
+                        Whole::Kept(corner) => (faces.corner_vertex(corner), Some(corner)),
+                        Whole::New(vertex, place) => {
+                            created.extend(place.map(|place| (new, place)));
                             (vertex, None)
                         }
                     };
@@ -141,6 +143,43 @@ fn with_corners(mesh: &PolygonMesh, healed: &Healed) -> Result<(PolygonMesh, Pro
         ..Draft::of_faces(mesh, table, Sources::same(faces.face_count()), Sources::listed(sources))
     };
     Ok(mesh.rebuild(draft)?)
+}
+
+/// A corner of a face with new corners.
+enum Whole {
+    Kept(CornerId),
+    New(VertexId, Option<Blend>),
+}
+
+/// All corners of a face: those that it had, with repeated ones, which healing does not see, and the new ones.
+fn whole_face(mesh: &PolygonMesh, face: FaceId, corners: &[HealedCorner]) -> Vec<Whole> {
+    let faces = mesh.faces();
+    let place = |corner: CornerId| mesh.position(faces.corner_vertex(corner));
+    let mut whole = Vec::new();
+    let mut next = 0;
+    let mut last = None;
+    for corner in faces.face_corners(face) {
+        // A repeated corner belongs to the one before it, but for those at the end that repeat the first one.
+        let repeats_last = last.is_some_and(|last| place(last) == place(corner));
+        if !repeats_last || corners.get(next) == Some(&HealedCorner::Kept(corner)) {
+            push_new(corners, &mut next, &mut whole);
+        }
+        if corners.get(next) == Some(&HealedCorner::Kept(corner)) {
+            next += 1;
+            last = Some(corner);
+        }
+        whole.push(Whole::Kept(corner));
+    }
+    push_new(corners, &mut next, &mut whole);
+    whole
+}
+
+/// Adds the new corners that come next.
+fn push_new(corners: &[HealedCorner], next: &mut usize, whole: &mut Vec<Whole>) {
+    while let Some(&HealedCorner::New { vertex, share }) = corners.get(*next) {
+        whole.push(Whole::New(vertex, between(corners, *next, share)));
+        *next += 1;
+    }
 }
 
 /// Where a new corner lies: on the way from the last kept corner before it to the next one.

@@ -297,7 +297,9 @@ impl Named {
                 | DefectKind::NonSimpleFace
                 | DefectKind::FaceWithHole
                 | DefectKind::CrossingFace
-                | DefectKind::RepeatedCorner => named.name_face(defect),
+                | DefectKind::RepeatedCorner
+                | DefectKind::SmallComponent
+                | DefectKind::InternalFace => named.name_face(defect),
                 DefectKind::PolygonFace => {
                     named.name_face(defect);
                     named.asks_for_vertices = true;
