@@ -8,9 +8,10 @@ use arbitrary::{Arbitrary, Result, Unstructured};
 use meshmend_core::{Carry, Domain, Layer, Metadata, NO_VALUE, PolygonMesh, Values, VertexId};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
-    Clean, Compact, Distance, Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, OptionValues,
-    Orient, Outward, PassKind, Passes, Plan, Repeated, Side, Split, SplitEdges, Triangulate,
-    TriangulateFaces, Turn, Weld,
+    Clean, Compact, CrossingFills, Distance, DropParts, Duplicates, Emptying, Fill, FillRims, FillWith, Heal,
+    HealWithin, Internal, LooseElements, NonFinite, NonOrientable, OptionValues, Orient, Outward, PassKind,
+    Passes, Plan, Repeated, Side, SmallComponents, Split, SplitEdges, Triangulate, TriangulateFaces, Turn,
+    Weld,
 };
 use meshmend_testkit::Soup;
 
@@ -260,10 +261,23 @@ fn any_plan(u: &mut Unstructured<'_>) -> Result<Plan> {
     };
     let length =
         |u: &mut Unstructured<'_>| u.choose(&[0.0, 1.0, 0.3, 1.5, 1e-300, 1e300, -1.0, f64::NAN]).copied();
-    let distance = match u.int_in_range(0..=3u8)? {
+    let distance = match u.int_in_range(0..=5u8)? {
         0 | 1 => Distance::Exact,
         2 => Distance::Absolute(length(u)?),
+        3 => Distance::Boundary(length(u)?),
+        4 => Distance::BoundaryRelative(length(u)?),
         _ => Distance::Relative(length(u)?),
+    };
+    let within = match u.int_in_range(0..=2u8)? {
+        0 => HealWithin::Exact,
+        1 => HealWithin::Absolute(length(u)?),
+        _ => HealWithin::Relative(length(u)?),
+    };
+    let components = match u.int_in_range(0..=3u8)? {
+        0 => SmallComponents::Keep,
+        1 => SmallComponents::Faces(2),
+        2 => SmallComponents::Area(length(u)?),
+        _ => SmallComponents::Volume(length(u)?),
     };
     let loose = [LooseElements::Remove, LooseElements::Keep];
     Ok(Plan {
@@ -278,6 +292,17 @@ fn any_plan(u: &mut Unstructured<'_>) -> Result<Plan> {
             non_orientable: *u.choose(&[Report, Cut, Report, Cut, Report, Fail])?,
             duplicates: *u.choose(&[Duplicates::Keep, Duplicates::RemovePair, Duplicates::KeepFirst])?,
             ..Orient::default()
+        },
+        heal: Heal { within },
+        fill: Fill {
+            by: *u.choose(&[FillWith::Fold, FillWith::Area, FillWith::Fan])?,
+            rims: *u.choose(&[FillRims::Leave, FillRims::Take])?,
+            crossing: *u.choose(&[CrossingFills::Leave, CrossingFills::Keep])?,
+            ..Fill::default()
+        },
+        drop: DropParts {
+            components,
+            internal: *u.choose(&[Internal::Keep, Internal::RemoveComponents, Internal::RemoveFaces])?,
         },
         split: Split {
             edges: *u.choose(&[SplitEdges::Sheets, SplitEdges::Cut, SplitEdges::PinchOnly])?,

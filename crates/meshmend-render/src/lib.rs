@@ -29,5 +29,5 @@ pub use pointers::{MOST_ARROWS, PointerPictureError, pointer_picture};
 pub use scenes::camera::{Camera, NoDirection, Projection};
 pub use scenes::diagnostic_overlays::{boundary, components, inconsistent, non_manifold, witness};
 pub use scenes::loop_overlays::{LoopOverlays, MOST_GENERATORS, loops, seam};
-pub use scenes::overlay::{NoSuchElement, Overlay, OverlayKind};
+pub use scenes::overlay::{NoSuchElement, Overlay, OverlayKind, Placed};
 pub use scenes::scene::{Outlines, Scene};

@@ -6,7 +6,8 @@ use clap::Args;
 use meshmend::mesh::admission;
 use meshmend::words::Word;
 use meshmend::{
-    AnyKernel, AnyView, CheckOptions, CheckReport, DefectKind, Format, Kernels, PolygonMesh, check,
+    AnyKernel, AnyView, CheckOptions, CheckReport, DefectKind, Format, GeometryOptions, Kernels, PassKind,
+    PolygonMesh, Question, check,
 };
 
 use crate::Program;
@@ -50,8 +51,11 @@ impl Entry {
         let kernel = program.kernels.named(name).map(Entry::Kernel);
         let defect = || program.rules.kind(name).map(Entry::Defect);
         let word = || Word::from_name(name).map(Entry::Word);
-        let pass =
-            || program.passes.kind(name).map(|pass| page(&format!("{pass}: a pass"), pass.explanation()));
+        let pass = |kind: PassKind| {
+            let text = render::explanation(&format!("{kind}: a pass"), kind.explanation(), style);
+            Entry::Page(render::pictured(text, kind.name()))
+        };
+        let pass = || program.passes.kind(name).map(pass);
         let view = || {
             let heading = |view: &AnyView| format!("{name}: a view, {}", view.rung.name());
             AnyView::named(name).map(|view| page(&heading(&view), view.explanation))
@@ -103,24 +107,28 @@ impl Explain {
                 ));
             }
             Entry::Defect(kind) => {
-                let report = self.checked(file, program, console)?;
+                let report = self.checked(file, Question::about(*kind), program, console)?;
                 render::defects_on(&name(file), *kind, &report, style)
             }
             Entry::Word(word) => {
-                let report = self.checked(file, program, console)?;
+                let report = self.checked(file, None, program, console)?;
                 render::word_on(&name(file), word.name, &report.topology, style)
             }
         };
         Ok(page(entry, style) + &on)
     }
 
+    /// What a check finds, with a question about where the faces lie if that is needed.
     fn checked(
         &self,
         path: &Path,
+        question: Option<Question>,
         program: &Program,
         console: &mut Console<'_>,
     ) -> Result<CheckReport, Failure> {
+        let geometry = |question| GeometryOptions::default().asking(std::iter::once(question).collect());
         let options = CheckOptions::default().with_rules(program.rules);
+        let options = question.map_or(options, |question| options.with_geometry(geometry(question)));
         check(&self.mesh(path, console)?, &options).map_err(|error| Failure::of_pass(&name(path), &error))
     }
 
@@ -134,7 +142,10 @@ impl Explain {
 fn page(entry: &Entry, style: Style) -> String {
     match entry {
         Entry::Kernel(kernel) => render::kernel(*kernel, None, style),
-        Entry::Defect(kind) => render::explanation(&render::defect_heading(*kind), kind.explanation(), style),
+        Entry::Defect(kind) => {
+            let page = render::explanation(&render::defect_heading(*kind), kind.explanation(), style);
+            render::pictured(page, kind.code())
+        }
         Entry::Word(word) => render::lesson(word.text, style),
         Entry::Page(page) => page.clone(),
     }

@@ -16,6 +16,8 @@ mod left_out;
 mod loops;
 mod make;
 mod matrix;
+#[cfg(feature = "render")]
+mod placed_overlays;
 mod pointers;
 #[cfg(feature = "render")]
 mod render;

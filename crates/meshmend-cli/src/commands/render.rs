@@ -6,9 +6,11 @@ use clap::{Args, ValueEnum};
 use meshmend::PolygonMesh;
 use meshmend::mesh::counted;
 use meshmend_render::{
-    Camera, Fit, LoopOverlays, Outlines, Overlay, OverlayKind, Picture, Projection, RenderError, Scene, Size,
+    Camera, Fit, LoopOverlays, Outlines, Overlay, OverlayKind, Picture, Placed, Projection, RenderError,
+    Scene, Size,
 };
 
+use super::placed_overlays::placed_overlays;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
@@ -98,6 +100,18 @@ enum OverlayWord {
     Cotree,
     /// Where to cut what has one side only
     Seam,
+    /// Faces that cross or overlap
+    Crossings,
+    /// Vertices on open edges that they are not joined to, and those edges
+    TJunctions,
+    /// Boundary loops that are not the outer borders of sheets
+    Holes,
+    /// Faces that are too thin, or have no area
+    Slivers,
+    /// Closed components that look inward
+    InsideOut,
+    /// Faces inside of what others enclose
+    Internal,
     /// No overlay: the faces alone
     None,
 }
@@ -114,6 +128,12 @@ impl OverlayWord {
             OverlayWord::Tree => OverlayKind::Tree,
             OverlayWord::Cotree => OverlayKind::Cotree,
             OverlayWord::Seam => OverlayKind::Seam,
+            OverlayWord::Crossings => OverlayKind::Placed(Placed::Crossings),
+            OverlayWord::TJunctions => OverlayKind::Placed(Placed::TJunctions),
+            OverlayWord::Holes => OverlayKind::Placed(Placed::Holes),
+            OverlayWord::Slivers => OverlayKind::Placed(Placed::Slivers),
+            OverlayWord::InsideOut => OverlayKind::Placed(Placed::InsideOut),
+            OverlayWord::Internal => OverlayKind::Placed(Placed::Internal),
             OverlayWord::None => return None,
         })
     }
@@ -225,7 +245,11 @@ impl Render {
 fn overlays(mesh: &PolygonMesh, kinds: &[OverlayKind]) -> Result<Vec<Overlay>, Failure> {
     let of_loops = [OverlayKind::Generators, OverlayKind::Tree, OverlayKind::Cotree];
     let found = if kinds.iter().any(|kind| of_loops.contains(kind)) { Some(loops(mesh)?) } else { None };
+    let asked =
+        kinds.iter().filter_map(|kind| if let OverlayKind::Placed(what) = kind { Some(*what) } else { None });
+    let placed = placed_overlays(mesh, &asked.collect::<Vec<_>>())?;
     let overlay = |kind: &OverlayKind| match kind {
+        OverlayKind::Placed(_) => placed.iter().find(|overlay| overlay.kind() == *kind).cloned(),
         OverlayKind::Boundary => Some(meshmend_render::boundary(mesh)),
         OverlayKind::NonManifold => Some(meshmend_render::non_manifold(mesh)),
         OverlayKind::Inconsistent => Some(meshmend_render::inconsistent(mesh)),

@@ -16,6 +16,7 @@ mod paper_tables;
 mod parts;
 #[cfg(feature = "render")]
 mod picture;
+mod pictured;
 mod pointers;
 mod repair;
 mod shapes;
@@ -40,6 +41,7 @@ pub(crate) use paper_tables::paper_tables;
 pub(crate) use parts::{checked_parts, repaired_parts};
 #[cfg(feature = "render")]
 pub(crate) use picture::picture;
+pub(crate) use pictured::pictured;
 pub(crate) use pointers::{element_counts, permutations, records};
 pub(crate) use repair::{repair, summary};
 pub(crate) use shapes::{shape, shapes};

@@ -1,6 +1,8 @@
 //! How things look. What differs in colour differs in dashes, width or a mark too, so that a picture printed in grey
 //! says the same.
 
+use crate::Placed;
+
 /// Red, green and blue.
 pub(crate) type Colour = [u8; 3];
 
@@ -40,6 +42,18 @@ pub(crate) const LOOSE_EDGE: Ink = Ink::new([70, 70, 70], 1.3, &[]);
 pub(crate) const HATCHING: Ink = Ink::new([88, 106, 132], 0.7, &[]);
 /// The colour of what stands for all lines behind faces in a legend.
 pub(crate) const BEHIND: Ink = Ink::new([60, 60, 60], 3.0, &[]);
+
+/// The line of what positions tell.
+pub(crate) fn placed(what: Placed) -> Ink {
+    match what {
+        Placed::Crossings => Ink::new([206, 16, 16], 2.6, &[]),
+        Placed::TJunctions => Ink::new([178, 60, 0], 3.4, &[2.0, 6.0]),
+        Placed::Holes => Ink::new([0, 92, 190], 4.2, &[12.0, 6.0]),
+        Placed::Slivers => Ink::new([150, 0, 120], 2.2, &[6.0, 4.0]),
+        Placed::InsideOut => Ink::new([120, 70, 20], 1.8, &[9.0, 5.0, 0.1, 5.0]),
+        Placed::Internal => Ink::new([70, 70, 150], 1.6, &[0.1, 4.0]),
+    }
+}
 
 const GENERATORS: [Ink; 6] = [
     Ink::new([176, 0, 90], 3.4, &[]),

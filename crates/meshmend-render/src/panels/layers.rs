@@ -81,6 +81,11 @@ pub(crate) fn layers(overlay: &Overlay, view: &View<'_>) -> Vec<Layer> {
             layer.marks = view.squares(vertices);
             vec![layer]
         }
+        Overlay::Placed { what, edges, vertices } => {
+            let mut layer = view.along_edges(appearance::placed(*what), edges);
+            layer.marks = view.squares(vertices);
+            vec![layer]
+        }
         Overlay::Cotree { edges } => vec![view.across_edges(edges)],
         Overlay::Witness { strips } => strips.iter().map(|strip| view.along_strip(strip)).collect(),
         Overlay::Generators { loops, .. } => view.loops(loops),
@@ -99,6 +104,14 @@ pub(crate) fn entries(overlay: &Overlay) -> Vec<Entry> {
         Overlay::Tree { edges } => of_edges(edges, appearance::TREE, "tree"),
         Overlay::Cotree { edges } => of_edges(edges, appearance::COTREE, "co-tree"),
         Overlay::Seam { edges } => of_edges(edges, appearance::SEAM, "seam"),
+        Overlay::Placed { what, edges, vertices } => {
+            let ink = appearance::placed(*what);
+            if !edges.is_empty() {
+                return vec![line(ink, what.title())];
+            }
+            let square = Entry::new(Swatch::Mark(Shape::Square, ink.colour), what.title());
+            if vertices.is_empty() { vec![] } else { vec![square] }
+        }
         Overlay::NonManifold { edges, vertices } => {
             let mut entries = of_edges(edges, appearance::NON_MANIFOLD, "non-manifold edges");
             if !vertices.is_empty() {

@@ -59,6 +59,68 @@ pub enum Overlay {
         /// Its edges.
         edges: Vec<EdgeId>,
     },
+    /// What positions tell.
+    Placed {
+        /// What it is.
+        what: Placed,
+        /// The edges of the faces that it is about, or of the loops.
+        edges: Vec<EdgeId>,
+        /// The vertices that it is about.
+        vertices: Vec<VertexId>,
+    },
+}
+
+/// What positions tell of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Placed {
+    /// Faces that cross or overlap.
+    Crossings,
+    /// Vertices on open edges that they are not joined to.
+    TJunctions,
+    /// Boundary loops that are not the outer borders of sheets.
+    Holes,
+    /// Faces that are too thin, or have no area.
+    Slivers,
+    /// Closed components that look inward.
+    InsideOut,
+    /// Faces inside of what others enclose.
+    Internal,
+}
+
+impl Placed {
+    /// Everything that positions tell.
+    pub const ALL: [Placed; 6] = [
+        Placed::Crossings,
+        Placed::TJunctions,
+        Placed::Holes,
+        Placed::Slivers,
+        Placed::InsideOut,
+        Placed::Internal,
+    ];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Placed::Crossings => "crossings",
+            Placed::TJunctions => "t-junctions",
+            Placed::Holes => "holes",
+            Placed::Slivers => "slivers",
+            Placed::InsideOut => "inside-out",
+            Placed::Internal => "internal",
+        }
+    }
+
+    /// What a legend says.
+    pub(crate) fn title(self) -> &'static str {
+        match self {
+            Placed::Crossings => "crossing faces",
+            Placed::TJunctions => "T-junctions",
+            Placed::Holes => "holes",
+            Placed::Slivers => "slivers",
+            Placed::InsideOut => "inside out",
+            Placed::Internal => "internal faces",
+        }
+    }
 }
 
 /// The kinds of [`Overlay`].
@@ -82,6 +144,8 @@ pub enum OverlayKind {
     Cotree,
     /// [`Overlay::Seam`]
     Seam,
+    /// [`Overlay::Placed`]
+    Placed(Placed),
 }
 
 impl OverlayKind {
@@ -96,6 +160,12 @@ impl OverlayKind {
         OverlayKind::Tree,
         OverlayKind::Cotree,
         OverlayKind::Seam,
+        OverlayKind::Placed(Placed::Crossings),
+        OverlayKind::Placed(Placed::TJunctions),
+        OverlayKind::Placed(Placed::Holes),
+        OverlayKind::Placed(Placed::Slivers),
+        OverlayKind::Placed(Placed::InsideOut),
+        OverlayKind::Placed(Placed::Internal),
     ];
 
     /// Its name on the command line, such as `non-manifold`.
@@ -110,6 +180,7 @@ impl OverlayKind {
             OverlayKind::Tree => "tree",
             OverlayKind::Cotree => "cotree",
             OverlayKind::Seam => "seam",
+            OverlayKind::Placed(what) => what.name(),
         }
     }
 }
@@ -137,13 +208,16 @@ impl Overlay {
             Overlay::Tree { .. } => OverlayKind::Tree,
             Overlay::Cotree { .. } => OverlayKind::Cotree,
             Overlay::Seam { .. } => OverlayKind::Seam,
+            Overlay::Placed { what, .. } => OverlayKind::Placed(*what),
         }
     }
 
     /// How many elements it shows: edges and vertices, strips, components, or loops.
     pub fn element_count(&self) -> usize {
         match self {
-            Overlay::NonManifold { edges, vertices } => edges.len() + vertices.len(),
+            Overlay::NonManifold { edges, vertices } | Overlay::Placed { edges, vertices, .. } => {
+                edges.len() + vertices.len()
+            }
             Overlay::Witness { strips } => strips.len(),
             Overlay::Generators { loops, .. } => loops.len(),
             Overlay::Components { of_vertex } => component_count(of_vertex),
@@ -159,6 +233,7 @@ impl Overlay {
             | Overlay::Inconsistent { edges }
             | Overlay::Tree { edges }
             | Overlay::Cotree { edges }
+            | Overlay::Placed { edges, .. }
             | Overlay::Seam { edges } => edges,
             Overlay::Witness { .. } | Overlay::Components { .. } | Overlay::Generators { .. } => &[],
         }
@@ -168,7 +243,7 @@ impl Overlay {
     pub(crate) fn vertices(&self) -> impl Iterator<Item = VertexId> + '_ {
         let (loops, own): (&[Vec<VertexId>], &[VertexId]) = match self {
             Overlay::Generators { loops, .. } => (loops, &[]),
-            Overlay::NonManifold { vertices, .. } => (&[], vertices),
+            Overlay::NonManifold { vertices, .. } | Overlay::Placed { vertices, .. } => (&[], vertices),
             _ => (&[], &[]),
         };
         loops.iter().flatten().chain(own).copied()
@@ -231,6 +306,6 @@ mod tests {
     #[test]
     fn kinds_have_different_names() {
         let names: std::collections::BTreeSet<_> = OverlayKind::ALL.iter().map(|kind| kind.name()).collect();
-        assert_eq!(names.len(), 9);
+        assert_eq!(names.len(), 9 + Placed::ALL.len());
     }
 }
