@@ -89,7 +89,9 @@ pub fn passes(data: &[u8]) {
 /// those that make a mesh manifold is left out. Other plans may subdivide the same faces again in every run.
 fn is_final(plan: &Plan) -> bool {
     let needed = [PassKind::Weld, PassKind::Clean, PassKind::Orient, PassKind::Split];
-    plan.passes.is_sorted_by(|one, other| one < other) && needed.iter().all(|kind| plan.passes.contains(kind))
+    plan.check_order().is_ok()
+        && plan.passes.is_sorted_by(|one, other| one < other)
+        && needed.iter().all(|kind| plan.passes.contains(kind))
 }
 
 /// The bytes as a plan file: an error, or a plan that is written and read as the same plan, and runs.

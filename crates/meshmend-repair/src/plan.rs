@@ -40,7 +40,7 @@ use thiserror::Error;
 use toml::Value;
 
 use self::form::PlanOf;
-use crate::{AnyPass, PassKind, Passes, Pipeline, Plan};
+use crate::{AnyPass, Internal, PassKind, Passes, Pipeline, Plan};
 
 impl Default for Plan {
     fn default() -> Self {
@@ -97,7 +97,8 @@ impl Plan {
     /// Whether each pass comes after those without which it can't keep its promise.
     ///
     /// # Errors
-    /// When `heal` runs twice, or without `orient` before it: they take turns until nothing is healed.
+    /// When `heal` runs twice, or without `orient` before it: they take turns until nothing is healed. When `fill` would close in a
+    /// second run what `drop` opens.
     pub fn check_order(&self) -> Result<(), PlanError> {
         let first = |kind: PassKind| self.passes.iter().position(|&pass| pass == kind);
         if let Some(heal) = first(PassKind::Heal) {
@@ -110,6 +111,12 @@ impl Plan {
                 let reason = "`heal` needs `orient` before it: they take turns until nothing is healed";
                 return Err(PlanError::new(reason.to_owned()));
             }
+        }
+        let opens = first(PassKind::DropParts).is_some() && self.drop.internal == Internal::RemoveFaces;
+        if opens && first(PassKind::Fill).is_some() {
+            let reason = "`fill` would close again what `drop` opens by `internal = \"remove-faces\"`; \
+                          take `remove-components`, or one repair after the other";
+            return Err(PlanError::new(reason.to_owned()));
         }
         Ok(())
     }
@@ -201,6 +208,9 @@ mod tests {
         assert!(failure("['heal', 'orient']").starts_with("`heal` needs `orient` before it"));
         assert!(failure("['orient', 'heal', 'heal']").starts_with("`heal` stands in a plan once"));
         assert!(Plan::from_toml("passes = ['orient', 'heal']").is_ok());
+        let opened = "passes = ['fill', 'drop']\n[drop]\ninternal = 'remove-faces'";
+        assert!(Plan::from_toml(opened).unwrap_err().to_string().starts_with("`fill` would close again"));
+        assert!(Plan::from_toml(&opened.replace("faces'", "components'")).is_ok());
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! 1. Find the vertices that share a position in single precision. The lowest of each place stays.
 //! 2. Each of the others goes towards the mean of its neighbours, by the fewest steps of single precision at which no other
 //!    vertex has its position, and no triangle turns over or loses its area. This is decided exactly.
-//! 3. Where no step will do, the vertex stays and is named.
+//! 3. Where no step will do, or where a face would come to cross another one, the vertex stays and is named.
 //!
 //! A step is as long as the least difference of two numbers of single precision that are as large as the coordinates there.
 //!
@@ -72,7 +72,7 @@ impl Pass for KeepApart {
         if !context.storage.is_some_and(|storage| storage.is_apart()) {
             return Ok(Outcome::unchanged(mesh));
         }
-        let (positions, apart) = moving::moved(mesh);
+        let (positions, apart) = moving::moved(mesh)?;
         context.check_cancelled()?;
         if apart.iter().all(|record| !record.is_moved()) {
             return Ok(Outcome { apart, ..Outcome::unchanged(mesh) });

@@ -2,12 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use meshmend_core::{CornerId, FaceId, Id, PolygonMesh, VertexId};
+use meshmend_core::{CornerId, DraftError, FaceId, Id, PolygonMesh, VertexId};
 use meshmend_geometry::vector::{Point, is_finite, length, minus};
-use meshmend_spatial::agreement;
 use meshmend_spatial::exact::{Sign, are_collinear};
+use meshmend_spatial::{CrossingSearch, Surface, agreement};
+
+use rayon::prelude::*;
 
 use super::record::{ApartFate, ApartRecord, NotMoved};
+use crate::PassError;
 
 /// A place in single precision, by the bits of its coordinates; 0 and −0 are one.
 type Place = [u32; 3];
@@ -16,7 +19,10 @@ type Place = [u32; 3];
 const MOST_STEPS: u32 = 64;
 
 /// All positions as they become, and what became of each vertex at the place of a lower one.
-pub(super) fn moved(mesh: &PolygonMesh) -> (Vec<Point>, Vec<ApartRecord>) {
+///
+/// # Errors
+/// When the triangles of all faces have more corners than a table holds.
+pub(super) fn moved(mesh: &PolygonMesh) -> Result<(Vec<Point>, Vec<ApartRecord>), PassError> {
     let mut places = used_places(mesh);
     places.sort_unstable();
     let together: Vec<&[(Place, VertexId)]> =
@@ -37,7 +43,9 @@ pub(super) fn moved(mesh: &PolygonMesh) -> (Vec<Point>, Vec<ApartRecord>) {
         }
     }
     records.sort_by_key(|record| record.vertex);
-    (moving.positions, records)
+    let crossing = Crossing { mesh, corners: &moving.corners };
+    crossing.take_back(&mut moving.positions, &mut records)?;
+    Ok((moving.positions, records))
 }
 
 /// The places of the vertices that faces use, as far as single precision has them.
@@ -63,6 +71,58 @@ fn corners_of(mesh: &PolygonMesh, vertices: impl Iterator<Item = VertexId>) -> V
 fn place(point: Point) -> Option<Place> {
     let single = point.map(|x| x as f32);
     single.iter().all(|x| x.is_finite()).then(|| single.map(|x| (x + 0.0).to_bits()))
+}
+
+/// What the faces at vertices that moved cross.
+struct Crossing<'a> {
+    mesh: &'a PolygonMesh,
+    /// The corners of those that may have moved, by vertex.
+    corners: &'a [(VertexId, CornerId)],
+}
+
+impl Crossing<'_> {
+    /// Takes back the moves by which a face came to cross another, until there is none.
+    fn take_back(&self, positions: &mut [Point], records: &mut [ApartRecord]) -> Result<(), PassError> {
+        let vertices: Vec<VertexId> =
+            records.iter().filter(|record| record.is_moved()).map(|record| record.vertex).collect();
+        if vertices.is_empty() {
+            return Ok(());
+        }
+        let crossed_before = self.crossing(self.mesh.positions(), &vertices)?;
+        loop {
+            let crossed = self.crossing(positions, &vertices)?;
+            let is_wrong = |record: &ApartRecord| {
+                let is_in = |list: &[VertexId]| list.binary_search(&record.vertex).is_ok();
+                record.is_moved() && is_in(&crossed) && !is_in(&crossed_before)
+            };
+            let mut is_done = true;
+            for record in records.iter_mut().filter(|record| is_wrong(record)) {
+                record.fate = ApartFate::Left { left: NotMoved::Crossing };
+                positions[record.vertex.index()] = self.mesh.position(record.vertex);
+                is_done = false;
+            }
+            if is_done {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Of some vertices, ascending, those at which a face crosses another one.
+    fn crossing(&self, positions: &[Point], vertices: &[VertexId]) -> Result<Vec<VertexId>, PassError> {
+        let faces = self.mesh.faces();
+        let mesh = PolygonMesh::new(positions.to_vec(), faces.clone()).map_err(DraftError::from)?;
+        let surface = Surface::of(&mesh)?;
+        let search = CrossingSearch::new(&surface);
+        let complex = self.mesh.complex().faces();
+        let crosses = |vertex: &VertexId| {
+            let first = self.corners.partition_point(|(other, _)| other < vertex);
+            let corners = self.corners[first..].iter().take_while(|(other, _)| other == vertex);
+            let mut triangles =
+                corners.flat_map(|&(_, corner)| surface.triangles_of(complex.corner_face(corner)));
+            triangles.any(|triangle| search.first_crossing(surface.points(triangle)).is_some())
+        };
+        Ok(vertices.par_iter().copied().filter(crosses).collect())
+    }
 }
 
 /// The vertices while some of them move.

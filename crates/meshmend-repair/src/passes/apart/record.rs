@@ -43,6 +43,8 @@ pub enum NotMoved {
     Polygon,
     /// Within a few steps there is no place at which no triangle turns over, loses its area, or has another vertex's place.
     NoRoom,
+    /// A face at it would cross another one.
+    Crossing,
 }
 
 impl ApartRecord {
@@ -64,6 +66,9 @@ impl fmt::Display for ApartRecord {
             ApartFate::Left { left: NotMoved::Polygon } => write!(f, "left, as a face there is no triangle"),
             ApartFate::Left { left: NotMoved::NoRoom } => {
                 write!(f, "left, as it finds no place where no triangle turns over")
+            }
+            ApartFate::Left { left: NotMoved::Crossing } => {
+                write!(f, "left, as a face there would cross another one")
             }
         }
     }

@@ -3,6 +3,9 @@
 //! Pairs of boundary vertices within the distance are taken by their distance, nearest first, then by their ids. Their classes
 //! are joined unless the joined class would hold two corners of a face, two ends of a loose edge, or two vertices farther apart
 //! than the distance. So what is whole stays as it is, no face loses a corner, and no chain of vertices shrinks to a point.
+//!
+//! A class is where its lowest vertex is, and that may be near others. So this is done again with the classes as vertices, until
+//! nothing is joined: a second run would find it.
 
 use std::sync::Arc;
 
@@ -19,8 +22,26 @@ const PAIRS: (usize, usize) = (64, 10_000_000);
 
 /// Classes of vertices, each named by its lowest, joined further along the boundary of the mesh that they make.
 ///
-/// *Cost*: O(n log n + pairs · (faces at a vertex + vertices of a class)) for n boundary vertices.
+/// *Cost*: O(n log n + pairs · (faces at a vertex + vertices of a class)) for n boundary vertices, and as much again for each
+/// time that classes come near each other.
 pub(super) fn joined_along_boundaries(
+    mesh: &PolygonMesh,
+    exact: Vec<VertexId>,
+    epsilon: f64,
+    context: &Context<'_>,
+) -> Result<Vec<VertexId>, PassError> {
+    let mut classes = exact;
+    loop {
+        let joined = joined_once(mesh, classes.clone(), epsilon, context)?;
+        if joined == classes {
+            return Ok(classes);
+        }
+        classes = joined;
+    }
+}
+
+/// The same, each class looked at once.
+fn joined_once(
     mesh: &PolygonMesh,
     exact: Vec<VertexId>,
     epsilon: f64,
