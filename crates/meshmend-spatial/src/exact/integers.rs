@@ -12,6 +12,25 @@ pub(crate) fn integers<const N: usize>(numbers: [f64; N]) -> [BigInt; N] {
     numbers.map(|number| integer(number, lowest))
 }
 
+/// Numbers times the least power of two that makes all of them whole, if none is beyond 2⁴⁰ then.
+pub(super) fn small_integers<const N: usize>(numbers: [f64; N]) -> Option<[i64; N]> {
+    let (mut lowest, mut highest) = (i32::MAX, i32::MIN);
+    for &number in numbers.iter().filter(|&&number| number != 0.0) {
+        let (digits, exponent) = parts(number);
+        lowest = lowest.min(exponent + digits.trailing_zeros() as i32);
+        highest = highest.max(exponent + 64 - digits.unsigned_abs().leading_zeros() as i32);
+    }
+    let whole = |number: f64| {
+        let (digits, exponent) = parts(number);
+        if digits == 0 {
+            return 0;
+        }
+        let shift = exponent - lowest;
+        if shift < 0 { digits >> -shift } else { digits << shift }
+    };
+    (highest <= lowest.saturating_add(40)).then(|| numbers.map(whole))
+}
+
 /// Points, all coordinates times the least power of two that makes all of them whole.
 pub(crate) fn integer_points<const N: usize>(points: [Point; N]) -> [IntegerPoint; N] {
     let lowest = lowest_exponent(points.iter().flatten());
@@ -69,5 +88,19 @@ mod tests {
         let [one, huge] = integers([5e-324, 2.0_f64.powi(1000)]);
         assert_eq!((one, huge), (BigInt::from(1), BigInt::from(1) << 2074));
         assert_eq!(integers([0.0; 2]), [BigInt::ZERO; 2]);
+    }
+
+    #[test]
+    fn small_numbers_are_those_of_any_size() {
+        let all = [0.0, -0.0, 1.0, -3.0, 0.75, 5e-324, -1.5e-323, 1e-300, 1e300, 1e9, -1e12, f64::MAX];
+        for one in all {
+            for other in all {
+                // Where all are 0, there is no lowest bit.
+                let expected = integers([one, other, 0.0]);
+                let is_small = expected.iter().all(|number| number.bits() <= 40);
+                let found = small_integers([one, other, 0.0]);
+                assert_eq!(found.map(|found| found.map(BigInt::from)), is_small.then_some(expected));
+            }
+        }
     }
 }

@@ -1,7 +1,8 @@
 //! Signs of real arithmetic on coordinates as doubles, for all finite doubles.
 //!
-//! Each question is answered in up to three steps: a sum in doubles with a bound of its error; expansions ([`robust`]),
-//! where no product can under- or overflow; else whole numbers of any size, the coordinates times a common power of two.
+//! Each question is answered in up to four steps: a sum in doubles with a bound of its error; whole numbers of 128 bits, the
+//! coordinates times a common power of two; expansions ([`robust`]), where no product can under- or overflow; else whole
+//! numbers of any size.
 //! Coordinates that are not finite get some answer.
 
 mod centroid;

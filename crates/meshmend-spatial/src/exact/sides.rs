@@ -3,7 +3,7 @@
 use meshmend_geometry::vector::Point;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-use super::integers::{cross, dot, integer_points, integers, minus as integers_minus};
+use super::integers::{cross, dot, integer_points, integers, minus as integers_minus, small_integers};
 use super::sign::Sign;
 
 /// Below this an error of rounding is one of underflow as well. Far above what underflow may lose, far below all that
@@ -70,11 +70,31 @@ fn exact_side([a, b, c]: [Point; 3], point: Point) -> Sign {
     if (0..3).any(|axis| all.iter().all(|p| p[axis] == point[axis])) || [a, b, c].contains(&point) {
         return Sign::Zero;
     }
+    if let Some(sign) = side_by_small_integers([a, b, c], point) {
+        return sign;
+    }
     if all.iter().flatten().all(|&x| is_moderate(x)) {
         let [a, b, c, point] = all.map(|[x, y, z]| Coord3D { x, y, z });
         return -Sign::of(orient3d(a, b, c, point));
     }
     side_by_integers([a, b, c], point)
+}
+
+/// The side, if the coordinates have so few digits that no product is beyond 128 bits; often so where points lie on the plane.
+fn side_by_small_integers([a, b, c]: [Point; 3], p: Point) -> Option<Sign> {
+    let [ax, ay, az, bx, by, bz, cx, cy, cz, px, py, pz] =
+        small_integers([a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], p[0], p[1], p[2]])?;
+    let product = |x: i64, y: i64| i128::from(x) * i128::from(y);
+    let (bx, by, bz) = (bx - ax, by - ay, bz - az);
+    let (cx, cy, cz) = (cx - ax, cy - ay, cz - az);
+    let normal = [
+        product(by, cz) - product(bz, cy),
+        product(bz, cx) - product(bx, cz),
+        product(bx, cy) - product(by, cx),
+    ];
+    let way = [px - ax, py - ay, pz - az].map(i128::from);
+    let sum = normal[0] * way[0] + normal[1] * way[1] + normal[2] * way[2];
+    Some(Sign::from(sum.cmp(&0)))
 }
 
 fn side_by_integers([a, b, c]: [Point; 3], point: Point) -> Sign {
@@ -98,6 +118,10 @@ pub fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
 
 #[cold]
 fn exact_turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
+    if let Some([ax, ay, bx, by, cx, cy]) = small_integers([a[0], a[1], b[0], b[1], c[0], c[1]]) {
+        let product = |x: i64, y: i64| i128::from(x) * i128::from(y);
+        return Sign::from(product(ax - cx, by - cy).cmp(&product(ay - cy, bx - cx)));
+    }
     if [a, b, c].iter().flatten().all(|&x| is_moderate(x)) {
         let [a, b, c] = [a, b, c].map(|[x, y]| Coord { x, y });
         return Sign::of(orient2d(a, b, c));
