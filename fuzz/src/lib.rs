@@ -13,6 +13,7 @@ mod assets;
 mod compare;
 mod edits;
 pub mod input;
+mod intersections;
 mod kernels;
 mod matrices;
 mod packages;
@@ -26,6 +27,7 @@ mod zip;
 pub use arguments::arguments;
 pub use assets::gltf;
 pub use edits::edit;
+pub use intersections::intersections;
 pub use kernels::{analysis, kernels};
 pub use matrices::matrices;
 pub use packages::threemf;
@@ -50,4 +52,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf splice);
+targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf splice intersections);

@@ -2,7 +2,7 @@
 //! time and worse, and with nothing in common with the code that it judges.
 //!
 //! [`report`] gives the counts, with the names that reports use; [`findings`] gives the elements behind them, and
-//! [`defects()`] what of that is wrong, in the library's vocabulary.
+//! [`defects()`] what of that is wrong, in the library's vocabulary. [`contact()`] tells how two triangles meet.
 //! What the page leaves open is settled here so:
 //!
 //! * A *same* duplicate is a face whose directed cycle an earlier face has; an *opposite* one is a face whose cycle
@@ -15,6 +15,7 @@
 mod betti;
 mod cells;
 mod components;
+mod contact;
 mod defects;
 mod patches;
 mod vertices;
@@ -26,6 +27,7 @@ use serde::Serialize;
 use crate::Soup;
 use cells::Cells;
 pub use components::{ComponentRow, surface_name};
+pub use contact::{contact, has_no_area};
 pub use defects::{defects, mendable_clashes};
 pub use patches::Witness;
 pub use vertices::VertexKind;
