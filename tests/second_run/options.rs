@@ -4,18 +4,25 @@ use crate::random::Random;
 
 /// Every option with its values.
 const OPTIONS: &[(&str, &[&str])] = &[
-    ("--weld", &["none", "exact", "single", "0.3", "0.5", "1", "10%", "25%"]),
+    ("--weld", &["none", "exact", "single", "0.3", "0.5", "1", "10%", "25%", "boundary:0.3", "boundary:10%"]),
     ("--clean", &["off"]),
     ("--non-finite", &["keep"]),
     ("--repeated", &["keep-different", "drop"]),
     ("--orient", &["majority", "outward", "outward-nested", "off"]),
     ("--non-orientable", &["report", "cut"]),
     ("--duplicates", &["keep", "remove-pair", "keep-first"]),
+    ("--heal", &["exact", "0.1", "5%", "off"]),
     ("--split", &["sheets", "cut", "pinch-only", "off"]),
+    ("--fill", &["all", "edges:5", "off"]),
+    ("--fill-by", &["fold", "area", "fan"]),
     ("--triangulate", &["auto", "all", "off"]),
+    ("--drop-components", &["faces:2", "area:0.3", "volume:0.1"]),
+    ("--internal", &["remove-components", "remove-faces"]),
+    ("--outward", &["solids", "nested", "visible"]),
     ("--compact", &["on", "keep-loose", "off"]),
     ("--seams", &["split", "corners"]),
     ("--flipped-normals", &["negate", "keep"]),
+    ("--apart", &["nudge"]),
     ("--encoding", &["ascii"]),
 ];
 
@@ -27,11 +34,17 @@ pub(crate) fn options(random: &mut Random) -> Vec<[&'static str; 2]> {
         let is_off = |pass: &str| chosen.contains(&[pass, "off"]);
         let is_idle = match name {
             "--non-finite" | "--repeated" => is_off("--clean"),
-            "--non-orientable" | "--duplicates" | "--flipped-normals" => is_off("--orient"),
+            "--non-orientable" | "--duplicates" | "--flipped-normals" | "--heal" => is_off("--orient"),
+            "--fill-by" => is_off("--fill"),
             _ => false,
         };
         if !is_idle && random.percent(chance) {
-            chosen.push([name, random.one(values)]);
+            let option = [name, random.one(values)];
+            let fills = chosen.iter().any(|[name, _]| name.starts_with("--fill"));
+            // One opens what the other closes: they are refused together.
+            if !(fills && option == ["--internal", "remove-faces"]) {
+                chosen.push(option);
+            }
         }
     }
     chosen
