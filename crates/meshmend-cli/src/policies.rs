@@ -58,6 +58,12 @@ fn argument(pass: PassKind, option: &'static PassOption) -> Arg {
         OptionValues::ComponentLimit => argument
             .value_name("LIMIT")
             .value_parser(|word: &str| words::small_components(word).map(|_| word.to_owned())),
+        OptionValues::Aspect => argument.value_name("R").value_parser(|word: &str| {
+            if word == OFF { Ok(word.to_owned()) } else { words::aspect(word).map(|_| word.to_owned()) }
+        }),
+        OptionValues::Reach => {
+            argument.value_name("LENGTH").value_parser(|word: &str| words::reach(word).map(|_| word.to_owned()))
+        }
         OptionValues::Distance => argument
             .value_name("DISTANCE")
             .value_parser(|word: &str| words::welding(word).map(|_| word.to_owned())),
@@ -145,6 +151,12 @@ impl Said {
                 (OptionValues::Limits, _) => {
                     plan.set(self.pass, key, words::fill_loops(&self.word).map_err(Failure::usage)?)
                 }
+                (OptionValues::Aspect, _) => {
+                    plan.set(self.pass, key, words::aspect(&self.word).map_err(Failure::usage)?)
+                }
+                (OptionValues::Reach, _) => {
+                    plan.set(self.pass, key, words::reach(&self.word).map_err(Failure::usage)?)
+                }
                 (OptionValues::ComponentLimit, _) => {
                     plan.set(self.pass, key, words::small_components(&self.word).map_err(Failure::usage)?)
                 }
@@ -176,7 +188,8 @@ mod tests {
     use clap::{CommandFactory, FromArgMatches, Parser};
     use meshmend::passes::{
         DropParts, Duplicates, FillLimits, FillLoops, FillRims, FillWith, HealWithin, Internal,
-        LooseElements, NonFinite, NonOrientable, Repeated, Side, SmallComponents, SplitEdges, Turn,
+        LooseElements, NonFinite, NonOrientable, Reach, Repeated, Side, Slivers, SmallComponents, SplitEdges,
+        Turn,
     };
     use meshmend::{Distance, FlippedNormals};
 
@@ -275,6 +288,16 @@ mod tests {
         assert_eq!(plan.drop, expected);
         let names: Vec<&str> = plan.passes.iter().map(|pass| pass.name()).collect();
         assert!(names.windows(3).any(|three| three == ["triangulate", "drop", "compact"]), "{names:?}");
+    }
+
+    #[test]
+    fn slivers_are_mended_when_asked_for() {
+        let plan = plan(&["--slivers", "500", "--max-move", "0.1%"]).unwrap();
+        assert_eq!(plan.slivers, Slivers { aspect: 500.0, max_move: Reach::Relative(0.001) });
+        let names: Vec<&str> = plan.passes.iter().map(|pass| pass.name()).collect();
+        assert!(names.windows(3).any(|three| three == ["triangulate", "slivers", "compact"]), "{names:?}");
+        assert_eq!(self::plan(&["--slivers", "off"]).unwrap(), Plan::default());
+        assert!(self::plan(&["--slivers", "off", "--max-move", "1"]).is_err());
     }
 
     #[test]

@@ -90,8 +90,8 @@ pub(crate) fn fill_loops(word: &str) -> Result<FillLoops, String> {
         named.push(name);
         match name {
             "edges" => limits.edges = Some(size.parse().map_err(|_| no_limit())?),
-            "length" => limits.length = Some(reach(size)?),
-            "area" => limits.area = Some(reach(size)?),
+            "length" => limits.length = Some(reach(size).map_err(|_| no_limit())?),
+            "area" => limits.area = Some(reach(size).map_err(|_| no_limit())?),
             _ => return Err(no_limit()),
         }
     }
@@ -118,13 +118,20 @@ fn no_limit() -> String {
     "expected all, off, or limits such as edges:12,length:5%,area:0.5".to_owned()
 }
 
-fn reach(word: &str) -> Result<Reach, String> {
-    let number = word.strip_suffix('%').unwrap_or(word).trim().parse::<f64>().map_err(|_| no_limit())?;
-    match (number.is_finite() && number >= 0.0, word.ends_with('%')) {
-        (false, _) => Err(no_limit()),
-        (true, false) => Ok(Reach::Absolute(number)),
-        (true, true) => Ok(Reach::Relative(number / 100.0)),
+/// Reads a length such as `0.001`, or a percentage such as `0.01%`.
+pub(crate) fn reach(word: &str) -> Result<Reach, String> {
+    let number = word.strip_suffix('%').unwrap_or(word).trim().parse::<f64>();
+    match (number.ok().filter(|number| number.is_finite() && *number >= 0.0), word.ends_with('%')) {
+        (None, _) => Err("expected a length such as 0.001, or a percentage such as 0.01%".to_owned()),
+        (Some(length), false) => Ok(Reach::Absolute(length)),
+        (Some(percentage), true) => Ok(Reach::Relative(percentage / 100.0)),
     }
+}
+
+/// Reads from how many times its height on a triangle is a sliver.
+pub(crate) fn aspect(word: &str) -> Result<f64, String> {
+    let number = word.parse::<f64>().ok().filter(|number| number.is_finite() && *number >= 1.0);
+    number.ok_or_else(|| "expected off, or a number of 1 or more such as 1000".to_owned())
 }
 
 /// Reads the name of one of these kernels.
@@ -242,6 +249,18 @@ mod tests {
         assert_eq!(small_components("volume:1e-3"), Ok(SmallComponents::Volume(1e-3)));
         for wrong in ["", "faces", "faces:-1", "faces:0.5", "area:nan", "volume:-1", "length:1", "area:5%"] {
             assert!(small_components(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn aspects_and_lengths_are_numbers() {
+        assert_eq!((aspect("1"), aspect("1e3")), (Ok(1.0), Ok(1000.0)));
+        assert_eq!((reach("0"), reach("0.5%")), (Ok(Reach::Absolute(0.0)), Ok(Reach::Relative(0.005))));
+        for wrong in ["", "0.5", "-1000", "nan", "inf", "5%"] {
+            assert!(aspect(wrong).is_err(), "{wrong}");
+        }
+        for wrong in ["", "%", "-1", "nan", "inf", "1 mm"] {
+            assert!(reach(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -16,7 +16,7 @@ use thiserror::Error;
 use crate::sewing::KeptSewing;
 use crate::{
     ApartRecord, Clearance, DropRecord, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures,
-    TJunctionRecord, TellingLayers,
+    SliverRecord, TJunctionRecord, TellingLayers,
 };
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
@@ -78,6 +78,8 @@ pub struct Outcome {
     pub loops: Vec<LoopRecord>,
     /// What became of each vertex on an open edge, where the pass judged them, by vertex and ends.
     pub t_junctions: Vec<TJunctionRecord>,
+    /// The steps that were made for slivers, in order, and then the slivers that are left, where the pass mends them.
+    pub slivers: Vec<SliverRecord>,
     /// What was dropped, where the pass drops parts.
     pub dropped: Option<DropRecord>,
     /// What became of the vertices at places of others, where the pass keeps these apart.
@@ -102,6 +104,7 @@ impl Outcome {
             differed: Vec::new(),
             loops: Vec::new(),
             t_junctions: Vec::new(),
+            slivers: Vec::new(),
             dropped: None,
             apart: Vec::new(),
         }

@@ -51,6 +51,10 @@ pub enum OptionValues {
     Limits,
     /// [`SmallComponents`](crate::SmallComponents).
     ComponentLimit,
+    /// A finite number of 1 or more.
+    Aspect,
+    /// A [`Reach`](crate::Reach).
+    Reach,
     /// It has no word; a plan has this one where it is given.
     Flag(&'static str),
 }

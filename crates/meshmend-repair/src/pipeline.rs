@@ -15,7 +15,7 @@ use crate::session::Aim;
 use crate::{
     AnyPass, ApartRecord, Clearance, Compact, Distance, DropRecord, Emptied, Emptying, Fixed, Heal, Looked,
     LoopRecord, NonOrientable, Orient, Pass, PassError, PassKind, Plan, Precision, Repeated, SeamFigures,
-    Seams, Session, Side, Subdivision, TJunctionRecord, Unused, Weld,
+    Seams, Session, Side, SliverRecord, Subdivision, TJunctionRecord, Unused, Weld,
 };
 
 /// Passes in order, with their options.
@@ -107,6 +107,8 @@ pub struct PassRecord {
     pub loops: Vec<LoopRecord>,
     /// What became of each vertex on an open edge, where the pass judged them, by vertex and ends.
     pub t_junctions: Vec<TJunctionRecord>,
+    /// The steps that were made for slivers, in order, and then the slivers that are left, where the pass mends them.
+    pub slivers: Vec<SliverRecord>,
     /// What was dropped, where the pass drops parts.
     pub dropped: Option<DropRecord>,
     /// What became of the vertices at places of others, where the pass keeps these apart.

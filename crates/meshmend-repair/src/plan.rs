@@ -26,6 +26,10 @@
 //! [triangulate]
 //! faces = "auto"                      # all
 //!
+//! [slivers]                           # only where `passes` names it
+//! aspect = 1000.0                     # a triangle so many times as long as it is high
+//! max-move = { relative = 1e-6 }      # { absolute = 0.01 }
+//!
 //! [compact]
 //! loose-edges = "remove"              # keep
 //! ```
@@ -99,6 +103,7 @@ impl Plan {
     /// # Errors
     /// When `heal` runs twice, or without `orient` before it: they take turns until nothing is healed. When `fill` would close in a
     /// second run what `drop` opens.
+    /// When `slivers` runs before `triangulate`, and so would see no triangles yet.
     pub fn check_order(&self) -> Result<(), PlanError> {
         let first = |kind: PassKind| self.passes.iter().position(|&pass| pass == kind);
         if let Some(heal) = first(PassKind::Heal) {
@@ -116,6 +121,11 @@ impl Plan {
         if opens && first(PassKind::Fill).is_some() {
             let reason = "`fill` would close again what `drop` opens by `internal = \"remove-faces\"`; \
                           take `remove-components`, or one repair after the other";
+            return Err(PlanError::new(reason.to_owned()));
+        }
+        let slivers = first(PassKind::Slivers);
+        if slivers.is_some_and(|slivers| self.passes[slivers..].contains(&PassKind::Triangulate)) {
+            let reason = "`slivers` mends triangles, so `triangulate` has to come before it";
             return Err(PlanError::new(reason.to_owned()));
         }
         Ok(())
@@ -211,6 +221,9 @@ mod tests {
         let opened = "passes = ['fill', 'drop']\n[drop]\ninternal = 'remove-faces'";
         assert!(Plan::from_toml(opened).unwrap_err().to_string().starts_with("`fill` would close again"));
         assert!(Plan::from_toml(&opened.replace("faces'", "components'")).is_ok());
+        assert!(failure("['slivers', 'triangulate']").starts_with("`slivers` mends triangles"));
+        assert!(Plan::from_toml("passes = ['triangulate', 'slivers']").is_ok());
+        assert!(Plan::from_toml("passes = ['slivers', 'compact']").is_ok());
     }
 
     #[test]

@@ -287,6 +287,7 @@ impl<'a> Session<'a> {
             seam: outcome.seam,
             loops: outcome.loops,
             t_junctions: outcome.t_junctions,
+            slivers: outcome.slivers,
             dropped: outcome.dropped,
             apart: outcome.apart,
             looked,
@@ -434,6 +435,8 @@ fn removed_face(pass: PassKind, defect: &Defect) -> Option<FaceId> {
             | DefectKind::OppositeFace
             | DefectKind::SmallComponent
             | DefectKind::InternalFace
+            | DefectKind::SliverFace
+            | DefectKind::ZeroAreaFace
     );
     if is_reason || pass.is_own() { defect.at.face() } else { None }
 }

@@ -6,7 +6,7 @@ use meshmend::formats::LossKind;
 use meshmend::mesh::{Listed, counted};
 
 use meshmend::passes::{Looked, LoopRecord, SeamFigures};
-use meshmend::report::{DroppedDocument, FigureChanges, Listing, NamedFace, PassDocument, RepairDocument};
+use meshmend::report::{DroppedDocument, FigureChanges, Listing, NamedFace, PassDocument, RepairDocument, SliversDocument};
 use meshmend::{DefectKind, GeometryChange, GeometryChanges, Loss, PassKind, Severity};
 
 use super::check::{column, defects};
@@ -122,6 +122,9 @@ fn pass(document: &PassDocument) -> Vec<String> {
         (PassKind::Verify, ..) => looked(document.looked).to_owned(),
         (_, false, _) => "nothing to do".to_owned(),
         (_, true, true) => "changed the mesh".to_owned(),
+        (PassKind::Slivers, true, _) => {
+            counted(document.slivers.as_ref().map_or(0, |slivers| slivers.steps.count), "step")
+        }
         (PassKind::Weld, true, false) => format!("vertices joined to others: {}", joined(document)),
         (_, true, false) => mended,
     };
@@ -134,12 +137,13 @@ fn pass(document: &PassDocument) -> Vec<String> {
     let loops = document.loops.iter().flat_map(loops);
     let t_junctions = document.t_junctions.iter().flat_map(|found| items_and_more(&found.left));
     let dropped = document.dropped.iter().flat_map(dropped);
+    let slivers = document.slivers.iter().flat_map(slivers);
     let apart = document
         .apart
         .iter()
         .flat_map(|apart| items_and_more(&apart.moved).chain(items_and_more(&apart.left)));
     lines
-        .extend(loops.chain(t_junctions).chain(dropped).chain(apart).map(|line| format!("{:<12}{line}", "")));
+        .extend(loops.chain(t_junctions).chain(slivers).chain(dropped).chain(apart).map(|line| format!("{:<12}{line}", "")));
     let left = kinds_with_counts(counts(&document.left));
     if !left.is_empty() {
         lines.push(format!("{:<12}left alone: {left}", ""));
@@ -180,6 +184,15 @@ fn loops(loops: &Listing<LoopRecord>) -> Vec<String> {
         return vec!["there is no boundary loop".to_owned()];
     }
     items_and_more(loops).collect()
+}
+
+/// What was done to slivers, and which are left.
+fn slivers(document: &SliversDocument) -> impl Iterator<Item = String> + '_ {
+    let limited = (document.move_limit > 0).then(|| {
+        let count = counted(document.move_limit, "sliver");
+        format!("left because of --max-move or the number of steps: {count}")
+    });
+    items_and_more(&document.steps).chain(items_and_more(&document.left)).chain(limited)
 }
 
 /// What was dropped, and what it left.

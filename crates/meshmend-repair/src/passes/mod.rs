@@ -143,6 +143,7 @@ passes! {
     split: Split, SeamFigures, Seams, SplitEdges;
     fill: Fill, Crossed, CrossingFills, FillCrossing, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord, Reach;
     triangulate: Triangulate, TriangulateFaces;
+    slivers: Slivers, SliverFate, SliverMending, SliverRecord;
     drop: DropParts, DropRecord, DroppedComponent, Internal, SmallComponents;
     outward: Outward, Turn;
     compact: Compact, LooseElements;
@@ -386,6 +387,7 @@ mod tests {
             "split",
             "fill",
             "triangulate",
+            "slivers",
             "drop",
             "outward",
             "compact",

@@ -66,9 +66,10 @@ impl Pipeline {
         let changed =
             |kind| session.last_round().iter().any(|record| record.pass == kind && record.is_changed);
         let has_changed = session.last_round().iter().any(|record| record.is_changed);
-        let is_taken_apart = [PassKind::Split, PassKind::Fill, PassKind::Triangulate, PassKind::Outward]
-            .into_iter()
-            .any(changed);
+        let is_taken_apart =
+            [PassKind::Split, PassKind::Fill, PassKind::Triangulate, PassKind::Slivers, PassKind::Outward]
+                .into_iter()
+                .any(changed);
         let is_cut_by_writer = self.faces.is_apart() && !session.mesh().faces().is_all_triangles();
         let may_change = match self.finality() {
             Finality::Always => {

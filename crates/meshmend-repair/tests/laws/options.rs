@@ -15,10 +15,13 @@ pub(crate) fn every_choice() -> Vec<AnyPass> {
 /// A pass with every choice of its options, the defaults among them.
 fn choices_of(kind: PassKind) -> Vec<AnyPass> {
     let plan = serde_json::to_value(Plan::default().with(kind)).unwrap();
-    let options: Vec<&String> = plan[kind.name()].as_object().unwrap().keys().collect();
+    let defaults = plan[kind.name()].as_object().unwrap();
     let mut choices = vec![Map::new()];
-    for option in options {
-        let values = values_of(kind, option);
+    for (option, default) in defaults {
+        let mut values = values_of(kind, option);
+        if !values.contains(default) {
+            values.push(default.clone());
+        }
         assert!(!values.is_empty(), "nothing is known of the option {option} of {kind}");
         let with = |(choice, value): (&Map<String, Value>, &Value)| {
             let mut choice = choice.clone();
@@ -41,7 +44,8 @@ fn values_of(kind: PassKind, option: &str) -> Vec<Value> {
         let amounts = AMOUNTS.map(|amount| json!({ word: amount }));
         std::iter::once(json!(word)).chain(amounts).chain([json!({ word: limits })])
     };
-    words.flat_map(alone_or_with_amounts).filter(is_taken).collect()
+    let numbers = AMOUNTS.map(|amount| json!(amount));
+    words.flat_map(alone_or_with_amounts).chain(numbers).filter(is_taken).collect()
 }
 
 fn pass(kind: PassKind, options: Value) -> Result<AnyPass, serde_json::Error> {

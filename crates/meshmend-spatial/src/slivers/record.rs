@@ -123,6 +123,22 @@ impl SliverReason {
         }
     }
 
+    /// The reason in words, as it follows “left: ”.
+    pub fn reason(self) -> &'static str {
+        match self {
+            SliverReason::NonTriangle => "a face that would change is not a triangle",
+            SliverReason::NotFinite => "a corner of a face that would change is not finite",
+            SliverReason::Sides => "an edge has three sides or more, or the faces there run the same way",
+            SliverReason::Link => "the faces round it would be joined in another way",
+            SliverReason::Boundary => "the boundary would be pinched or cut off",
+            SliverReason::Seam => "it lies on a seam of attributes",
+            SliverReason::TurnsOver => "a face would turn over",
+            SliverReason::NoBetter => "another face would be a sliver that is no better",
+            SliverReason::Move => "the surface would move farther than it may",
+            SliverReason::StepLimit => "there were a hundred steps for each sliver already",
+        }
+    }
+
     /// Whether a second run, which knows nothing of the first mesh and counts its steps anew, may do what was left.
     pub fn is_limit(self) -> bool {
         matches!(self, SliverReason::Move | SliverReason::StepLimit)

@@ -134,6 +134,14 @@ impl Change<'_> {
     /// # Errors
     /// The first element that changed and is not named.
     pub fn naming_law(&self, fixed: &[Defect]) -> Result<(), String> {
+        self.naming_law_but_for(fixed, &BTreeSet::new())
+    }
+
+    /// The same, where some faces are said to have got other corners.
+    ///
+    /// # Errors
+    /// As [`naming_law`](Self::naming_law).
+    pub fn naming_law_but_for(&self, fixed: &[Defect], reshaped: &BTreeSet<FaceId>) -> Result<(), String> {
         let named = Named::of(fixed);
         let survivors = self.record.faces.survivors(self.before.counts().faces);
         let gone = |face: &FaceId| !survivors[face.index()];
@@ -147,7 +155,7 @@ impl Change<'_> {
         {
             return Err(format!("{face} is said to have gone, and is there"));
         }
-        self.pieces_are_named(&named)?;
+        self.pieces_are_named(&named, reshaped)?;
         self.vertices_are_named(&named)?;
         let kept = |list: usize, kind| list - fixed.iter().filter(|defect| defect.kind() == kind).count();
         let edges = kept(self.before.loose_edges().len(), DefectKind::LooseEdge);
@@ -170,13 +178,15 @@ fn is_same_place(one: [f64; 3], other: [f64; 3]) -> bool {
 }
 
 /// The kinds of defect because of which a face goes.
-const REASONS_TO_GO: [DefectKind; 6] = [
+const REASONS_TO_GO: [DefectKind; 8] = [
     DefectKind::DegenerateFace,
     DefectKind::NonFiniteFace,
     DefectKind::DuplicateFace,
     DefectKind::OppositeFace,
     DefectKind::SmallComponent,
     DefectKind::InternalFace,
+    DefectKind::SliverFace,
+    DefectKind::ZeroAreaFace,
 ];
 
 /// Those because of which all of it goes: of a face that falls into pieces one may be a duplicate.
@@ -245,12 +255,16 @@ impl Change<'_> {
         }
     }
 
-    /// A face that is in pieces, or has lost corners, is named.
-    fn pieces_are_named(&self, named: &Named) -> Result<(), String> {
+    /// A face that is in pieces, or has lost corners, is named, or said to have got others; so are the vertices of corners
+    /// that went with them.
+    fn pieces_are_named(&self, named: &Named, reshaped: &BTreeSet<FaceId>) -> Result<(), String> {
         for (face, source) in self.record.faces.iter().filter_map(|(f, old)| Some((f, old?))) {
             let kept = self.after.faces().face_corners(face).filter(|&c| self.record.corners.of(c).is_some());
-            let is_whole = kept.count() == self.before.faces().corner_range(source).len();
-            if !is_whole && !named.faces.contains_key(&source) {
+            let goes = |vertex: &&VertexId| named.gone_vertices.contains(vertex);
+            let went = self.before.faces().face_vertices(source).iter().filter(goes);
+            let is_whole = kept.count() + went.count() >= self.before.faces().corner_range(source).len();
+            let is_named = named.faces.contains_key(&source) || reshaped.contains(&source);
+            if !is_whole && !is_named {
                 return Err(format!("{face} is not all of {source}, and that is not named"));
             }
         }
@@ -299,7 +313,9 @@ impl Named {
                 | DefectKind::CrossingFace
                 | DefectKind::RepeatedCorner
                 | DefectKind::SmallComponent
-                | DefectKind::InternalFace => named.name_face(defect),
+                | DefectKind::InternalFace
+                | DefectKind::SliverFace
+                | DefectKind::ZeroAreaFace => named.name_face(defect),
                 DefectKind::PolygonFace => {
                     named.name_face(defect);
                     named.asks_for_vertices = true;

@@ -43,7 +43,9 @@ pub use matrix_document::{
     NeighbourhoodDocument, RankDocument, SpectrumDocument, WalksDocument, WalksTo,
 };
 pub use parts_document::PartsDocument;
-pub use pass_document::{ApartDocument, DroppedDocument, FigureChanges, PassDocument, TJunctionsDocument};
+pub use pass_document::{
+    ApartDocument, DroppedDocument, FigureChanges, PassDocument, SliversDocument, TJunctionsDocument,
+};
 pub use repair_document::{
     BeforeAndAfter, CreatedFace, CreatedVertex, EmptiedNameDocument, NamedFace, ProvenanceDocument,
     RemovedFaces, RepairDocument,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use meshmend_core::{Defect, DefectKind};
 use meshmend_repair::{
     ApartRecord, DropRecord, DroppedComponent, Figures, Looked, LoopRecord, PassKind, PassRecord,
-    SeamFigures, TJunctionRecord,
+    SeamFigures, SliverRecord, TJunctionRecord,
 };
 use serde::Serialize;
 
@@ -32,6 +32,9 @@ pub struct PassDocument {
     /// What became of each vertex on an open edge, where the pass judged them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub t_junctions: Option<TJunctionsDocument>,
+    /// What became of each sliver, where the pass mends them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slivers: Option<SliversDocument>,
     /// What was dropped, where the pass drops parts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dropped: Option<DroppedDocument>,
@@ -81,6 +84,27 @@ fn parted<T: Clone>(records: &[T], is_done: impl Fn(&T) -> bool, limit: usize) -
     [done, left].map(|records| Listing::cut(records.into_iter(), limit))
 }
 
+/// What became of the slivers.
+#[derive(Clone, Debug, Serialize)]
+pub struct SliversDocument {
+    /// The steps that were made, in order, by ids of the mesh before the pass.
+    pub steps: Listing<SliverRecord>,
+    /// The slivers that are left, each with the reason, by ids of the mesh after the pass.
+    pub left: Listing<SliverRecord>,
+    /// How many of these are left because of the distance or the number of steps: where there is one, a second run may go on.
+    pub move_limit: u64,
+}
+
+impl SliversDocument {
+    fn new(records: &[SliverRecord], limit: usize) -> Self {
+        let (steps, left): (Vec<SliverRecord>, Vec<SliverRecord>) =
+            records.iter().cloned().partition(SliverRecord::is_step);
+        let move_limit = left.iter().filter(|record| record.is_limited()).count() as u64;
+        let [steps, left] = [steps, left].map(|records| Listing::cut(records.into_iter(), limit));
+        SliversDocument { steps, left, move_limit }
+    }
+}
+
 /// What was dropped, and what it left.
 #[derive(Clone, Debug, Serialize)]
 pub struct DroppedDocument {
@@ -126,6 +150,7 @@ impl PassDocument {
             loops: judged.then(|| Listing::cut(record.loops.iter().cloned(), limit)),
             t_junctions: (record.pass == PassKind::Heal)
                 .then(|| TJunctionsDocument::new(&record.t_junctions, limit)),
+            slivers: (record.pass == PassKind::Slivers).then(|| SliversDocument::new(&record.slivers, limit)),
             dropped: record.dropped.as_ref().map(|record| DroppedDocument::new(record, limit)),
             apart: (record.pass == PassKind::KeepApart).then(|| ApartDocument::new(&record.apart, limit)),
             looked: record.looked,
