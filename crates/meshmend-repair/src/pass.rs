@@ -80,6 +80,8 @@ pub struct Outcome {
     pub t_junctions: Vec<TJunctionRecord>,
     /// The steps that were made for slivers, in order, and then the slivers that are left, where the pass mends them.
     pub slivers: Vec<SliverRecord>,
+    /// How far a vertex is at most from one, as stored, that the pass had go into it.
+    pub moved: f64,
     /// What was dropped, where the pass drops parts.
     pub dropped: Option<DropRecord>,
     /// What became of the vertices at places of others, where the pass keeps these apart.
@@ -105,6 +107,7 @@ impl Outcome {
             loops: Vec::new(),
             t_junctions: Vec::new(),
             slivers: Vec::new(),
+            moved: 0.0,
             dropped: None,
             apart: Vec::new(),
         }
@@ -189,6 +192,8 @@ pub struct Context<'a> {
     pub(crate) telling: TellingLayers<'a>,
     /// How the result will be stored, if not by the vertices that faces share.
     pub(crate) storage: Option<&'a FaceStorage>,
+    /// How far a vertex is at most from one that went into it before.
+    pub(crate) moved: f64,
     /// Where the sewing of a mesh is kept for the next pass.
     pub(crate) sewing: Option<&'a KeptSewing>,
 }
@@ -207,6 +212,12 @@ impl<'a> Context<'a> {
     /// The context with this for created vertices to keep clear of.
     pub fn with_clearance(self, clearance: Clearance) -> Self {
         Context { clearance, ..self }
+    }
+
+    /// The context of a mesh whose vertices are up to so far from vertices that went into them before, beside what the history
+    /// says.
+    pub fn with_moved(self, moved: f64) -> Self {
+        Context { moved, ..self }
     }
 
     /// The kernel to compute on.

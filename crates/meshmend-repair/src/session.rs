@@ -65,6 +65,8 @@ pub struct Session<'a> {
     rounding: Option<Rounding>,
     /// The largest tolerance within which vertices were joined.
     tolerance: f64,
+    /// How far a vertex is at most from one, as stored, that went into it.
+    moved: f64,
     /// The figures of the mesh before each pass that changed it, and in the end of the last mesh, if asked for.
     figures: Vec<Figures>,
 }
@@ -121,6 +123,7 @@ impl<'a> Session<'a> {
             created_faces: Vec::new(),
             rounding: None,
             tolerance: 0.0,
+            moved: 0.0,
             figures: Vec::new(),
         }
     }
@@ -165,6 +168,7 @@ impl<'a> Session<'a> {
             witness: self.witness,
             cancel: self.cancel,
             takes_figures: self.takes_figures,
+            moved: self.moved,
             aim: self.aim.clone(),
             ..Session::begin(stored)
         }
@@ -177,7 +181,7 @@ impl<'a> Session<'a> {
             Some((mesh, rounding)) => (mesh, Some(rounding)),
             None => (self.stored().clone(), None),
         };
-        Session { progress, rounding, ..self.another(&stored) }
+        Session { progress, rounding, moved: 0.0, ..self.another(&stored) }
     }
 
     /// Applies a pass.
@@ -246,6 +250,7 @@ impl<'a> Session<'a> {
             clearance: Clearance { tolerance: self.tolerance, ..self.aim.clearance },
             telling: self.aim.telling.as_deref().map_or(TellingLayers::All, TellingLayers::Only),
             storage: Some(&self.aim.storage),
+            moved: self.moved,
             sewing: Some(&self.sewing),
         }
     }
@@ -273,6 +278,7 @@ impl<'a> Session<'a> {
                 since.map(|since| since.extended(&outcome.provenance, &outcome.mesh))
             };
             self.figures.extend(self.figures());
+            self.moved = self.moved.max(outcome.moved);
             self.topology = None;
         }
         self.mesh = outcome.mesh;
@@ -350,6 +356,7 @@ impl<'a> Session<'a> {
         self.history = history.extended(next.history.provenance(), &next.mesh);
         self.round = self.records.len();
         self.tolerance = self.tolerance.max(next.tolerance);
+        self.moved = next.moved;
         self.records.extend(next.records);
         self.figures.extend(next.figures);
         (self.mesh, self.topology) = (next.mesh, next.topology);

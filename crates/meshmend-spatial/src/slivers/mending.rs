@@ -68,6 +68,7 @@ struct Mending<'a> {
     queue: Queue,
     steps: Vec<SliverStep>,
     most_steps: usize,
+    farthest: f64,
     left: BTreeMap<FaceId, Left>,
     /// For each vertex after how many steps a face at it was changed last.
     changed: Vec<u32>,
@@ -83,6 +84,7 @@ impl<'a> Mending<'a> {
             queue: Queue::default(),
             steps: Vec::new(),
             most_steps: MOST_STEPS.saturating_mul(found.len()).min(u32::MAX as usize),
+            farthest: 0.0,
             left: BTreeMap::new(),
             changed: vec![0; mesh.counts().vertices],
         };
@@ -189,6 +191,7 @@ impl<'a> Mending<'a> {
         let Some(origin) = origin else { return };
         kept.iter().for_each(|&face| self.ground.faces.put(face, from, into, origin));
         self.ground.stood_for.join(from, into, bound);
+        self.farthest = self.farthest.max(bound);
         kept.iter().for_each(|&face| self.has_changed(face));
     }
 
@@ -233,7 +236,7 @@ impl<'a> Mending<'a> {
             Some(LeftSliver { sliver, reason: left.reason })
         });
         mended.left.extend(left);
-        mended.steps = self.steps;
+        (mended.steps, mended.farthest) = (self.steps, self.farthest);
         if !mended.steps.is_empty() {
             let (vertices, origins, is_gone) = self.ground.faces.into_parts();
             mended.reshaped = Some(Reshaped { vertices, origins, is_gone });

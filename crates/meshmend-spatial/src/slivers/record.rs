@@ -13,6 +13,8 @@ pub struct MendedSlivers {
     pub steps: Vec<SliverStep>,
     /// The slivers that there are after all steps, ascending by face.
     pub left: Vec<LeftSliver>,
+    /// How far a vertex is at most from one, as stored, that went into it.
+    pub farthest: f64,
     /// The faces as they are after all steps; absent if there was none.
     pub reshaped: Option<Reshaped>,
 }
