@@ -30,7 +30,7 @@ fn a_needle_is_collapsed_and_named_in_every_format() {
         }
         let after =
             meshmend(&["check", "--weld", "exact", "--geometry=shape", "--json", &output]).succeeds().json();
-        assert_eq!((&after["counts"]["faces"], &after["euler_characteristic"]), (&json!(4), &json!(1)));
+        assert_eq!((&after["faces"], &after["euler_characteristic"]), (&json!(4), &json!(1)));
         let again = ["repair", &output, "-o", &output, "--json", "--slivers", "1000"];
         assert_eq!(meshmend(&again).succeeds().json()["changed"], false, "{output}");
     }
@@ -71,10 +71,10 @@ fn what_can_not_be_asked_for_is_refused() {
     fs::write(&input, CAP).unwrap();
     let with = |options: &[&str]| meshmend(&[&["repair", input.as_str(), "--dry-run"], options].concat());
     with(&["--slivers", "0.5"]).fails(2, "1 or more");
-    with(&["--max-move", "-1"]).fails(2, "0.01%");
+    with(&["--max-move=-1"]).fails(2, "0.01%");
     with(&["--slivers", "off", "--max-move", "1"]).fails(2, "no meaning");
     fs::write(&plan, "passes = ['slivers', 'triangulate']").unwrap();
     with(&["--plan", &plan]).fails(2, "`triangulate` has to come before it");
     let page = meshmend(&["explain", "slivers"]).succeeds();
-    assert!(page.stdout.contains("needle") && page.stdout.contains("--max-move"), "{}", page.stdout);
+    assert!(page.stdout.contains("the short edge of a needle is collapsed"), "{}", page.stdout);
 }
