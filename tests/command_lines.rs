@@ -35,6 +35,9 @@ fn good(argument: &Arg) -> (String, bool) {
         (_, "SHAPE") => ("torus", false),
         (_, "DISTANCE") => ("1%", false),
         (_, "LIMITS") => ("all", false),
+        (_, "LIMIT") => ("faces:12", false),
+        (_, "R") => ("1000", false),
+        (_, "LENGTH") => ("1%", false),
         // Which kinds there are hangs on the rules of the program, which judges the word itself.
         (_, "KIND") => ("degenerate-face", true),
         (_, "FORMAT") => ("ply", false),

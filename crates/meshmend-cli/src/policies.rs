@@ -61,9 +61,9 @@ fn argument(pass: PassKind, option: &'static PassOption) -> Arg {
         OptionValues::Aspect => argument.value_name("R").value_parser(|word: &str| {
             if word == OFF { Ok(word.to_owned()) } else { words::aspect(word).map(|_| word.to_owned()) }
         }),
-        OptionValues::Reach => {
-            argument.value_name("LENGTH").value_parser(|word: &str| words::reach(word).map(|_| word.to_owned()))
-        }
+        OptionValues::Reach => argument
+            .value_name("LENGTH")
+            .value_parser(|word: &str| words::reach(word).map(|_| word.to_owned())),
         OptionValues::Distance => argument
             .value_name("DISTANCE")
             .value_parser(|word: &str| words::welding(word).map(|_| word.to_owned())),

@@ -125,8 +125,9 @@ fn nothing_is_farther_than_allowed_from_where_it_was_stored() {
         let record = repaired.passes.into_iter().find(|record| record.pass == PassKind::Slivers).unwrap();
         record.slivers[0].clone()
     };
-    let collapse =
-        |from, into| SliverFate::Mended(SliverMending::Collapse { from: VertexId(from), into: VertexId(into) });
+    let collapse = |from, into| {
+        SliverFate::Mended(SliverMending::Collapse { from: VertexId(from), into: VertexId(into) })
+    };
     assert_eq!(record(1.25).fate, collapse(2, 1));
     assert_eq!(record(1.1).fate, collapse(1, 2), "vertex 6 was stored farther away from vertex 1");
     assert!(record(0.9).is_limited());

@@ -6,7 +6,9 @@ use meshmend::formats::LossKind;
 use meshmend::mesh::{Listed, counted};
 
 use meshmend::passes::{Looked, LoopRecord, SeamFigures};
-use meshmend::report::{DroppedDocument, FigureChanges, Listing, NamedFace, PassDocument, RepairDocument, SliversDocument};
+use meshmend::report::{
+    DroppedDocument, FigureChanges, Listing, NamedFace, PassDocument, RepairDocument, SliversDocument,
+};
 use meshmend::{DefectKind, GeometryChange, GeometryChanges, Loss, PassKind, Severity};
 
 use super::check::{column, defects};
@@ -142,8 +144,14 @@ fn pass(document: &PassDocument) -> Vec<String> {
         .apart
         .iter()
         .flat_map(|apart| items_and_more(&apart.moved).chain(items_and_more(&apart.left)));
-    lines
-        .extend(loops.chain(t_junctions).chain(slivers).chain(dropped).chain(apart).map(|line| format!("{:<12}{line}", "")));
+    lines.extend(
+        loops
+            .chain(t_junctions)
+            .chain(slivers)
+            .chain(dropped)
+            .chain(apart)
+            .map(|line| format!("{:<12}{line}", "")),
+    );
     let left = kinds_with_counts(counts(&document.left));
     if !left.is_empty() {
         lines.push(format!("{:<12}left alone: {left}", ""));

@@ -86,7 +86,8 @@ impl Pass for Slivers {
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
         let task = SliverTask {
             mesh,
-            aspect: limit::checked(self.aspect).map_err(|reason| PassError::Request { pass: ROW.name, reason })?,
+            aspect: limit::checked(self.aspect)
+                .map_err(|reason| PassError::Request { pass: ROW.name, reason })?,
             // What went before is not known vertex by vertex: together they stay within the distance.
             reach: (self.reach_on(mesh)? - context.moved).max(0.0),
             stood_for: &stored::points(mesh, context),
