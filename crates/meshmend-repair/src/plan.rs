@@ -102,8 +102,7 @@ impl Plan {
     ///
     /// # Errors
     /// When `heal` runs twice, or without `orient` before it: they take turns until nothing is healed. When `fill` would close in a
-    /// second run what `drop` opens.
-    /// When `slivers` runs before `triangulate`, and so would see no triangles yet.
+    /// second run what `drop` opens. When `slivers` runs before `triangulate`, and so would see no triangles yet.
     pub fn check_order(&self) -> Result<(), PlanError> {
         let first = |kind: PassKind| self.passes.iter().position(|&pass| pass == kind);
         if let Some(heal) = first(PassKind::Heal) {

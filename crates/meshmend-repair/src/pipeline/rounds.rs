@@ -121,7 +121,7 @@ impl Pipeline {
             AnyPass::Weld(weld) => weld.distance == Distance::Exact,
             AnyPass::Orient(orient) => orient.side == Side::Majority && orient.duplicates == Duplicates::Keep,
             AnyPass::Split(split) => split.seams == Seams::Keep || self.passes().iter().any(cuts),
-            AnyPass::Outward(_) => false,
+            AnyPass::Slivers(_) | AnyPass::Outward(_) => false,
             _ => true,
         }
     }
