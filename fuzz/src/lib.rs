@@ -16,6 +16,7 @@ pub mod input;
 mod intersections;
 mod kernels;
 mod matrices;
+mod mending;
 mod packages;
 mod readers;
 mod repairs;
@@ -30,6 +31,7 @@ pub use edits::edit;
 pub use intersections::intersections;
 pub use kernels::{analysis, kernels};
 pub use matrices::matrices;
+pub use mending::mending;
 pub use packages::threemf;
 pub use readers::{formats, obj, off, ply, sniff, stl};
 pub use repairs::{passes, plan, repair};
@@ -52,4 +54,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf splice intersections);
+targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf splice intersections mending);
