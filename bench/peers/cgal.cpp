@@ -8,6 +8,8 @@
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -25,6 +27,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -158,6 +161,24 @@ Work clean(const std::string& file, const std::string&) {
     };
 }
 
+Work intersections(const std::string& file, const std::string&) {
+    using Surface = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+    Soup soup = load(file);
+    std::vector<Surface::Point> points;
+    for (const auto& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
+    auto mesh = std::make_shared<Surface>();
+    PMP::polygon_soup_to_polygon_mesh(points, soup.triangles, *mesh);
+    return [=] {
+        std::vector<std::pair<Surface::Face_index, Surface::Face_index>> pairs;
+        PMP::self_intersections(*mesh, std::back_inserter(pairs));
+        return [=] {
+            std::set<Surface::Face_index> faces;
+            for (const auto& pair : pairs) faces.insert({pair.first, pair.second});
+            return Figures{{"crossing_faces", faces.size()}};
+        };
+    };
+}
+
 Work process(const std::string& file, const std::string& scratch) {
     return [=] {
         std::string path = scratch + "/cgal.ply";
@@ -188,7 +209,8 @@ Work process(const std::string& file, const std::string& scratch) {
 
 const std::map<std::string, Work (*)(const std::string&, const std::string&)> operations = {
     {"weld", weld},   {"connectivity", connectivity}, {"orient", orient},      {"split", split},
-    {"clean", clean}, {"process-ply", process},       {"process-stl", process}};
+    {"clean", clean},
+    {"intersections", intersections}, {"intersections-crossed", intersections}, {"process-ply", process},       {"process-stl", process}};
 
 std::size_t resident(const char* field) {
     std::ifstream status("/proc/self/status");

@@ -81,6 +81,24 @@ def report(file, scratch):
     }
 
 
+def intersections(file, scratch):
+    meshes = mesh_set(file)
+    yield
+    meshes.compute_selection_by_self_intersections_per_face()
+    yield
+    return {"crossing_faces": meshes.current_mesh().selected_face_number()}
+
+
+def fill(file, scratch):
+    meshes = mesh_set(file)
+    # Loose vertices are no part of the work.
+    meshes.meshing_remove_unreferenced_vertices()
+    yield
+    meshes.meshing_close_holes(maxholesize=64)
+    yield
+    return edge_figures(meshes, "boundary_edges", "non_manifold_edges")
+
+
 def process(file, scratch):
     yield
     meshes = pymeshlab.MeshSet()
@@ -125,6 +143,10 @@ OPERATIONS = {
     "report": report,
     "orient": orient,
     "clean": clean,
+    "intersections": intersections,
+    "intersections-crossed": intersections,
+    "fill-12": fill,
+    "fill-32": fill,
     "process-ply": process,
     "process-stl": process,
     "read-ply": read,

@@ -57,6 +57,25 @@ def reading(file, scratch):
     return counts(mesh)
 
 
+def intersections(file, scratch):
+    mesh = mesh_of(*single(file))
+    yield
+    found = meshlib.findSelfCollidingTrianglesBS(mesh)
+    yield
+    return {"crossing_faces": found.count()}
+
+
+def fill(file, scratch):
+    mesh = mesh_of(*single(file))
+    yield
+    for edge in mesh.topology.findHoleRepresentiveEdges():
+        parameters = meshlib.FillHoleParams()
+        parameters.metric = meshlib.getUniversalMetric(mesh)
+        meshlib.fillHole(mesh, edge, parameters)
+    yield
+    return figures(0, arrays.getNumpyFaces(mesh.topology), "boundary_edges", "non_manifold_edges")
+
+
 def writing(extension):
     def write(file, scratch):
         mesh, path = mesh_of(*single(file)), f"{scratch}/meshlib.{extension}"
@@ -72,6 +91,10 @@ OPERATIONS = {
     "connectivity": connectivity,
     "split": split,
     "generators": generators,
+    "intersections": intersections,
+    "intersections-crossed": intersections,
+    "fill-12": fill,
+    "fill-32": fill,
     "read-ply": reading,
     "read-ply-ascii": reading,
     "read-obj": reading,

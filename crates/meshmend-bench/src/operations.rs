@@ -1,6 +1,7 @@
 //! What is measured: each operation with its input, what it does, and the figures that show that it was done right.
 
 mod files;
+mod geometry;
 mod meshes;
 
 use std::collections::BTreeMap;
@@ -100,6 +101,30 @@ pub(crate) const OPERATIONS: &[Operation] = &[
         content: Content::Dirty,
         work: Work::OnMesh(meshes::clean),
         expected: |known| figures([("vertices", known.mended_vertices), ("faces", known.mended_faces)]),
+    },
+    Operation {
+        name: "intersections",
+        content: Content::Indexed,
+        work: Work::OnMesh(geometry::intersections),
+        expected: |_| figures([("crossing_faces", 0)]),
+    },
+    Operation {
+        name: "intersections-crossed",
+        content: Content::Finned,
+        work: Work::OnMesh(geometry::intersections),
+        expected: |known| figures([("crossing_faces", known.crossing_faces)]),
+    },
+    Operation {
+        name: "fill-12",
+        content: Content::SmallSquares,
+        work: Work::OnMesh(geometry::fill),
+        expected: |_| figures([("boundary_edges", 0), ("non_manifold_edges", 0)]),
+    },
+    Operation {
+        name: "fill-32",
+        content: Content::LargeSquares,
+        work: Work::OnMesh(geometry::fill),
+        expected: |_| figures([("boundary_edges", 0), ("non_manifold_edges", 0)]),
     },
     Operation {
         name: "generators",

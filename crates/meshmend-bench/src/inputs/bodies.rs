@@ -41,6 +41,7 @@ impl Bodies {
             edges: boxes * BOX_EDGES as u64 - shared,
             boundary_edges: 0,
             non_manifold_edges: shared,
+            crossing_faces: 0,
         }
     }
 

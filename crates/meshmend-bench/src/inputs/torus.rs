@@ -39,19 +39,69 @@ impl Torus {
     }
 
     pub(super) fn raw(&self) -> Raw {
-        self.without(|_, _| false)
+        self.without(|_, _, _| false)
+    }
+
+    /// How many square holes of so many cells each way there are, with two rows of cells between them.
+    pub(super) fn square_hole_count(&self, cells: usize) -> usize {
+        (self.round / (cells + 2)) * (self.across / (cells + 2))
+    }
+
+    /// With square holes of so many cells each way; the vertices inside of them are loose.
+    pub(super) fn with_square_holes(&self, cells: usize) -> Raw {
+        let spacing = cells + 2;
+        let is_hole =
+            |i: usize, count: usize| i < count / spacing * spacing && (1..=cells).contains(&(i % spacing));
+        self.without(|i, j, _| is_hole(i, self.round) && is_hole(j, self.across))
+    }
+
+    /// How many fins there are.
+    pub(super) fn fin_count(&self) -> usize {
+        self.vertex_count()
+    }
+
+    /// With a small triangle through the middle of the first triangle of each cell.
+    pub(super) fn with_fins(&self) -> Raw {
+        const STEP: f64 = 1.0 / 128.0;
+        const LENGTH: f64 = 8.0 * STEP;
+        let mut raw = self.raw();
+        for first in (0..raw.triangles.len()).step_by(2) {
+            let corners = raw.triangles[first].map(|corner| raw.positions[corner as usize]);
+            let middle = [0, 1, 2].map(|axis| {
+                (corners.iter().map(|corner| corner[axis]).sum::<f64>() / 3.0 / STEP).round() * STEP
+            });
+            let [u, v] = [1, 2].map(|at: usize| [0, 1, 2].map(|i: usize| corners[at][i] - corners[0][i]));
+            let across = [0, 1, 2].map(|i: usize| {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                (u[j] * v[k] - u[k] * v[j]).abs()
+            });
+            let steepest = (1..3).fold(0, |most, i| if across[i] > across[most] { i } else { most });
+            let beside = |axis: usize, length: f64| {
+                let mut point = middle;
+                point[axis] += length;
+                point
+            };
+            let count = raw.positions.len() as u32;
+            raw.positions.extend([
+                beside(steepest, LENGTH),
+                beside(steepest, -LENGTH),
+                beside((steepest + 1) % 3, LENGTH),
+            ]);
+            raw.triangles.push([count, count + 1, count + 2]);
+        }
+        raw
     }
 
     pub(super) fn with_holes(&self) -> Raw {
         let is_whole = |i: usize, count: usize| i < count / HOLE_SPACING * HOLE_SPACING;
         let is_middle = |i: usize| i % HOLE_SPACING == HOLE_SPACING / 2;
-        self.without(|i, j| {
-            is_middle(i) && is_middle(j) && is_whole(i, self.round) && is_whole(j, self.across)
+        self.without(|i, j, which| {
+            which == 0 && is_middle(i) && is_middle(j) && is_whole(i, self.round) && is_whole(j, self.across)
         })
     }
 
-    /// The torus without the first triangle of some cells.
-    fn without(&self, is_hole: impl Fn(usize, usize) -> bool) -> Raw {
+    /// The torus without the first (0) or the second triangle (1) of some cells.
+    fn without(&self, is_missing: impl Fn(usize, usize, usize) -> bool) -> Raw {
         let mut raw = Raw {
             positions: Vec::with_capacity(self.vertex_count()),
             triangles: Vec::with_capacity(self.face_count()),
@@ -61,10 +111,9 @@ impl Torus {
             for j in 0..self.across {
                 raw.positions.push(self.point(i, j));
                 let [a, b, c, d] = [name(i, j), name(i + 1, j), name(i + 1, j + 1), name(i, j + 1)];
-                if !is_hole(i, j) {
-                    raw.triangles.push([a, b, c]);
-                }
-                raw.triangles.push([a, c, d]);
+                let both = [[a, b, c], [a, c, d]].into_iter().enumerate();
+                let left = both.filter(|&(which, _)| !is_missing(i, j, which));
+                raw.triangles.extend(left.map(|(_, triangle)| triangle));
             }
         }
         raw
