@@ -49,7 +49,7 @@ struct Placed {
 impl BoxTree {
     /// A tree over the items from 0 to `count` − 1.
     ///
-    /// *Cost*: O(n log n); at most 32 bytes an item, and as many more while it is built.
+    /// *Cost*: O(n log n); at most 18 bytes an item, and 16 more while it is built.
     pub fn over(count: usize, bounds: impl Fn(usize) -> Bounds + Sync) -> Self {
         let mut depth = 0;
         while count > LEAF << depth {

@@ -17,7 +17,7 @@ pub struct CrossingSearch<'s> {
 impl<'s> CrossingSearch<'s> {
     /// Of all faces that have a surface.
     ///
-    /// *Cost*: O(n log n), and some 32 bytes a triangle.
+    /// *Cost*: O(n log n), and at most 18 bytes a triangle.
     pub fn new(surface: &'s Surface<'s>) -> Self {
         let all = surface.triangles();
         let tree = BoxTree::over(all.len(), |at| Bounds::of(surface.points(&all[at])));

@@ -21,7 +21,8 @@ const AT_A_TIME: usize = 8;
 /// Which faces of a surface intersect, and how. Answers are the same for every number of threads.
 ///
 /// *Cost*: O((n + tests) log n) time, where as many pairs of triangles are tested as have boxes that overlap; with the surface
-/// some 48 bytes a face, and what the listed pairs take.
+/// some 50 bytes a face while it searches, 12 for each pair of triangles that meets but no more than about as many as there are
+/// faces, and what the listed pairs take.
 pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Intersections {
     let all = surface.triangles();
     let tree = BoxTree::over(all.len(), |at| Bounds::of(surface.points(&all[at])));
