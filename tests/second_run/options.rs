@@ -40,12 +40,22 @@ pub(crate) fn options(random: &mut Random) -> Vec<[&'static str; 2]> {
         };
         if !is_idle && random.percent(chance) {
             let option = [name, random.one(values)];
-            let fills = chosen.iter().any(|[name, _]| name.starts_with("--fill"));
-            // One opens what the other closes: they are refused together.
-            if !(fills && option == ["--internal", "remove-faces"]) {
+            if !is_refused(&chosen, option) {
                 chosen.push(option);
             }
         }
     }
     chosen
+}
+
+/// Whether an option is refused together with others.
+fn is_refused(chosen: &[[&str; 2]], option: [&str; 2]) -> bool {
+    let fills = chosen.iter().any(|[name, value]| name.starts_with("--fill") && *value != "off");
+    let crowds = chosen.contains(&["--split", "pinch-only"]);
+    match option {
+        ["--internal", "remove-faces"] => fills,
+        ["--fill" | "--fill-by", value] => crowds && value != "off",
+        ["--apart", _] => chosen.contains(&["--weld", "none"]),
+        _ => false,
+    }
 }

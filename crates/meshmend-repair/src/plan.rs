@@ -37,6 +37,7 @@
 //! What is not said has its default. A word that is not known is an error, with its line.
 
 mod form;
+mod order;
 
 use serde::Serialize;
 use serde::de::DeserializeSeed;
@@ -44,7 +45,7 @@ use thiserror::Error;
 use toml::Value;
 
 use self::form::PlanOf;
-use crate::{AnyPass, Internal, PassKind, Passes, Pipeline, Plan};
+use crate::{AnyPass, PassKind, Passes, Pipeline, Plan};
 
 impl Default for Plan {
     fn default() -> Self {
@@ -96,38 +97,6 @@ impl Plan {
         let plan = read.map_err(|error| PlanError(error.to_string().trim_end().to_owned()))?;
         plan.check_order()?;
         Ok(plan)
-    }
-
-    /// Whether each pass comes after those without which it can't keep its promise.
-    ///
-    /// # Errors
-    /// When `heal` runs twice, or without `orient` before it: they take turns until nothing is healed. When `fill` would close in a
-    /// second run what `drop` opens. When `slivers` runs before `triangulate`, and so would see no triangles yet.
-    pub fn check_order(&self) -> Result<(), PlanError> {
-        let first = |kind: PassKind| self.passes.iter().position(|&pass| pass == kind);
-        if let Some(heal) = first(PassKind::Heal) {
-            if self.passes[heal + 1..].contains(&PassKind::Heal) {
-                return Err(PlanError::new(
-                    "`heal` stands in a plan once: it goes on until nothing is healed".to_owned(),
-                ));
-            }
-            if first(PassKind::Orient).is_none_or(|orient| orient > heal) {
-                let reason = "`heal` needs `orient` before it: they take turns until nothing is healed";
-                return Err(PlanError::new(reason.to_owned()));
-            }
-        }
-        let opens = first(PassKind::DropParts).is_some() && self.drop.internal == Internal::RemoveFaces;
-        if opens && first(PassKind::Fill).is_some() {
-            let reason = "`fill` would close again what `drop` opens by `internal = \"remove-faces\"`; \
-                          take `remove-components`, or one repair after the other";
-            return Err(PlanError::new(reason.to_owned()));
-        }
-        let slivers = first(PassKind::Slivers);
-        if slivers.is_some_and(|slivers| self.passes[slivers..].contains(&PassKind::Triangulate)) {
-            let reason = "`slivers` mends triangles, so `triangulate` has to come before it";
-            return Err(PlanError::new(reason.to_owned()));
-        }
-        Ok(())
     }
 
     /// Leaves a pass out.
@@ -220,6 +189,11 @@ mod tests {
         let opened = "passes = ['fill', 'drop']\n[drop]\ninternal = 'remove-faces'";
         assert!(Plan::from_toml(opened).unwrap_err().to_string().starts_with("`fill` would close again"));
         assert!(Plan::from_toml(&opened.replace("faces'", "components'")).is_ok());
+        let crowded = "passes = ['split', 'fill']\n[split]\nedges = 'pinch-only'";
+        assert!(
+            Plan::from_toml(crowded).unwrap_err().to_string().starts_with("`fill` needs edges of two sides")
+        );
+        assert!(failure("['orient', 'apart']").starts_with("`apart` needs `weld` before it"));
         assert!(failure("['slivers', 'triangulate']").starts_with("`slivers` mends triangles"));
         assert!(Plan::from_toml("passes = ['triangulate', 'slivers']").is_ok());
         assert!(Plan::from_toml("passes = ['slivers', 'compact']").is_ok());

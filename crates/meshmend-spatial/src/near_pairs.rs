@@ -16,7 +16,8 @@ pub fn near_pairs(points: &[Point], within: f64, most: usize) -> Option<Vec<[u32
     for (place, &point) in (0u32..).zip(points) {
         let mut beside = Vec::new();
         tree.visit_near([point, point], within, |other| {
-            if other > place && near.are_near(point, points[other as usize]) {
+            let there = points[other as usize];
+            if other > place && (point == there || near.are_near(point, there)) {
                 beside.push(other);
             }
         });

@@ -6,7 +6,7 @@
 
 use meshmend_core::{FaceTableError, Id, PolygonMesh};
 use meshmend_geometry::diagonal;
-use meshmend_geometry::vector::{Point, cross, dot, length, minus};
+use meshmend_geometry::vector::{Point, cross, dot, length, minus, place_bits};
 use rayon::prelude::*;
 
 use crate::boxes::{Bounds, BoxTree};
@@ -63,15 +63,16 @@ pub fn fronts(mesh: &PolygonMesh, nesting: &Nesting, asked: &[usize]) -> Result<
     Ok(asked.par_iter().zip(in_budget).map(front).collect())
 }
 
-/// The mesh with each face run round its first corner in the direction that has the lower vertex first, and which faces that
-/// reverses.
+/// The mesh with each face run round its first corner in one direction, whichever way round it is stored and whatever its vertices
+/// are called: that which has the lower places first. And which faces that reverses.
 fn running_one_way(mesh: &PolygonMesh) -> Result<(PolygonMesh, Vec<bool>), FaceTableError> {
     let faces = mesh.faces();
     let mut corners = faces.corner_vertices().to_vec();
     let mut runs_back = Vec::with_capacity(faces.face_count());
     for face in faces.faces() {
         let rest = corners[faces.corner_range(face)].get_mut(1..).unwrap_or_default();
-        let is_back = rest.iter().rev().lt(rest.iter());
+        let places = rest.iter().map(|vertex| place_bits(mesh.position(*vertex)));
+        let is_back = places.clone().rev().lt(places);
         if is_back {
             rest.reverse();
         }
