@@ -64,8 +64,14 @@ fn may_join(
     let faces = &ground.faces;
     let other_star = faces.star(into);
     let (here, there) = (faces.neighbours(from, star), faces.neighbours(into, &other_star));
-    if gone.len() > 2 {
+    if gone.len() > 2 || !here.iter().chain(&there).all(|neighbour| neighbour.is_regular()) {
         return Err(SliverReason::Sides);
+    }
+    if !faces.are_simple(&other_star) {
+        return Err(SliverReason::NonTriangle);
+    }
+    if !faces.is_umbrella(from, star) {
+        return Err(SliverReason::Link);
     }
     let mut apexes: Vec<VertexId> = gone.iter().flat_map(|&face| faces.of_face(face)).copied().collect();
     apexes.retain(|&vertex| vertex != from && vertex != into);

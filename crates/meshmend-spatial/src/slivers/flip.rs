@@ -33,14 +33,21 @@ pub(super) fn cap_step(
 ) -> Result<CapStep, SliverReason> {
     let faces = &ground.faces;
     let points = faces.points([a, b, apex]).ok_or(SliverReason::NotFinite)?;
-    let star = faces.star(a);
+    let (star, apex_star) = (faces.star(a), faces.star(apex));
+    if !faces.are_simple(&star) || !faces.are_simple(&apex_star) {
+        return Err(SliverReason::NonTriangle);
+    }
+    let around = faces.neighbours(apex, &apex_star);
+    if !around.iter().all(|neighbour| neighbour.is_regular()) {
+        return Err(SliverReason::Sides);
+    }
     let sides =
         faces.neighbours(a, &star).iter().find(|neighbour| neighbour.vertex == b).map_or(0, |n| n.sides);
     let others: Vec<FaceId> =
         star.iter().copied().filter(|&face| face != cap && faces.of_face(face).contains(&b)).collect();
     let step = match (sides, others.as_slice()) {
         (1, _) => {
-            let is_on_boundary = faces.neighbours(apex, &faces.star(apex)).iter().any(|n| n.sides == 1);
+            let is_on_boundary = around.iter().any(|neighbour| neighbour.sides == 1);
             if is_on_boundary { Err(SliverReason::Boundary) } else { Ok(CapStep::Drop) }
         }
         (2, &[other]) => flip(ground, cap, [a, b, apex], other).map(CapStep::Flip),

@@ -56,6 +56,11 @@ fn triangle(mesh: &PolygonMesh, face: FaceId) -> Option<[VertexId; 3]> {
     mesh.faces().face_vertices(face).try_into().ok()
 }
 
+/// A sliver with its aspect.
+fn measured(face: FaceId, kind: SliverKind, points: [Point; 3]) -> FoundSliver {
+    FoundSliver { face, kind, aspect: (!is_straight(&points)).then(|| aspect(points)) }
+}
+
 /// A sliver that is left for now.
 struct Left {
     reason: SliverReason,
@@ -123,31 +128,29 @@ impl<'a> Mending<'a> {
 
     /// Puts a face into the queue if it is a sliver.
     fn wait(&mut self, face: FaceId) {
-        if let Some((sliver, _, points)) = self.sliver(face) {
-            self.queue.push(sliver, points);
+        if let Some((kind, _, points)) = self.sliver(face) {
+            self.queue.push(face, kind, points);
         }
     }
 
     /// A face as a sliver, if it is there and is one.
-    fn sliver(&self, face: FaceId) -> Option<(FoundSliver, [VertexId; 3], [Point; 3])> {
+    fn sliver(&self, face: FaceId) -> Option<(SliverKind, [VertexId; 3], [Point; 3])> {
         let faces = &self.ground.faces;
         let corners = faces.triangle(face).filter(|_| faces.is_there(face))?;
         let points = faces.points(corners)?;
-        let kind = sliver_kind(points, self.ground.aspect)?;
-        let aspect = (!is_straight(&points)).then(|| aspect(points));
-        Some((FoundSliver { face, kind, aspect }, corners, points))
+        Some((sliver_kind(points, self.ground.aspect)?, corners, points))
     }
 
     fn look_at(&mut self, face: FaceId) {
         self.left.remove(&face);
-        let Some((sliver, corners, points)) = self.sliver(face) else { return };
+        let Some((kind, corners, points)) = self.sliver(face) else { return };
         let made = if self.steps.len() < self.most_steps {
-            self.step(sliver, corners, points)
+            self.step(face, kind, corners, points)
         } else {
             Err(SliverReason::StepLimit)
         };
         match made {
-            Ok(mend) => self.steps.push(SliverStep { sliver, mend }),
+            Ok(mend) => self.steps.push(SliverStep { sliver: measured(face, kind, points), mend }),
             Err(reason) => {
                 self.left.insert(face, Left { reason, steps: self.steps.len() as u32 });
             }
@@ -157,28 +160,29 @@ impl<'a> Mending<'a> {
     /// Makes the step that mends a sliver, if it may be made.
     fn step(
         &mut self,
-        sliver: FoundSliver,
+        face: FaceId,
+        kind: SliverKind,
         corners: [VertexId; 3],
         points: [Point; 3],
     ) -> Result<SliverMend, SliverReason> {
         let [shortest, longest] = extreme_sides(points);
         let from = |at: usize| [0, 1, 2].map(|step| corners[(at + step) % 3]);
-        match sliver.kind {
+        match kind {
             SliverKind::Needle => {
                 let [one, other, _] = from(shortest);
                 let collapse = collapse_of(&self.ground, [one, other])?;
                 let mend = SliverMend::Collapse { from: collapse.from, into: collapse.into };
-                self.collapse(sliver.face, collapse);
+                self.collapse(face, collapse);
                 Ok(mend)
             }
-            SliverKind::Cap => match cap_step(&self.ground, sliver.face, from(longest))? {
+            SliverKind::Cap => match cap_step(&self.ground, face, from(longest))? {
                 CapStep::Flip(flip) => {
                     let mend = SliverMend::Flip { edge: flip.edge, to: flip.to, with: flip.with };
-                    self.flip(sliver.face, &flip);
+                    self.flip(face, &flip);
                     Ok(mend)
                 }
                 CapStep::Drop => {
-                    self.take_away(sliver.face);
+                    self.take_away(face);
                     Ok(SliverMend::Drop)
                 }
             },
@@ -232,8 +236,8 @@ impl<'a> Mending<'a> {
     /// What was done and what is left.
     fn give(self, mended: &mut MendedSlivers) {
         let left = self.left.iter().filter_map(|(&face, left)| {
-            let (sliver, ..) = self.sliver(face)?;
-            Some(LeftSliver { sliver, reason: left.reason })
+            let (kind, _, points) = self.sliver(face)?;
+            Some(LeftSliver { sliver: measured(face, kind, points), reason: left.reason })
         });
         mended.left.extend(left);
         (mended.steps, mended.farthest) = (self.steps, self.farthest);

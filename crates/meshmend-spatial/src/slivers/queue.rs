@@ -7,8 +7,8 @@ use meshmend_core::FaceId;
 use meshmend_geometry::vector::Point;
 
 use super::measure::shortest_square;
-use super::record::FoundSliver;
 use crate::SliverKind;
+use crate::shape::aspect;
 
 /// Where a sliver stands in the queue. Lengths and aspects are not negative, so that their bits are in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,12 +26,12 @@ pub(super) struct Queue {
 
 impl Queue {
     /// Lets a sliver wait.
-    pub(super) fn push(&mut self, sliver: FoundSliver, points: [Point; 3]) {
-        let size = match sliver.kind {
+    pub(super) fn push(&mut self, face: FaceId, kind: SliverKind, points: [Point; 3]) {
+        let size = match kind {
             SliverKind::Needle => shortest_square(points),
-            SliverKind::Cap => sliver.aspect.unwrap_or(f64::INFINITY),
+            SliverKind::Cap => aspect(points),
         };
-        let turn = Turn { kind: sliver.kind, size: size.to_bits(), face: sliver.face };
+        let turn = Turn { kind, size: size.to_bits(), face };
         self.turns.push(Reverse(turn));
     }
 

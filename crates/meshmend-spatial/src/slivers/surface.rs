@@ -8,6 +8,15 @@ use meshmend_geometry::vector::{Point, is_finite};
 pub(super) struct Neighbour {
     pub(super) vertex: VertexId,
     pub(super) sides: usize,
+    /// How many of these run towards it.
+    pub(super) towards: usize,
+}
+
+impl Neighbour {
+    /// Whether the edge has one side, or two that run against each other.
+    pub(super) fn is_regular(self) -> bool {
+        self.sides == 1 || self.sides == 2 && self.towards == 1
+    }
 }
 
 /// The faces as they are now. Vertices never move; ids stay those of the mesh.
@@ -98,18 +107,53 @@ impl<'a> Faces<'a> {
 
     /// The neighbours of a vertex with some faces, ascending.
     pub(super) fn neighbours(&self, vertex: VertexId, star: &[FaceId]) -> Vec<Neighbour> {
-        let mut ends: Vec<VertexId> = Vec::with_capacity(2 * star.len());
+        let mut ends: Vec<(VertexId, bool)> = Vec::with_capacity(2 * star.len());
         for &face in star {
             let corners = self.of_face(face);
             let last = corners.len() - 1;
             for place in (0..corners.len()).filter(|&place| corners[place] == vertex) {
-                ends.push(corners[if place == 0 { last } else { place - 1 }]);
-                ends.push(corners[if place == last { 0 } else { place + 1 }]);
+                ends.push((corners[if place == 0 { last } else { place - 1 }], false));
+                ends.push((corners[if place == last { 0 } else { place + 1 }], true));
             }
         }
         ends.sort_unstable();
-        let groups = ends.chunk_by(|one, other| one == other);
-        groups.map(|group| Neighbour { vertex: group[0], sides: group.len() }).collect()
+        let groups = ends.chunk_by(|one, other| one.0 == other.0);
+        let towards = |group: &[(VertexId, bool)]| group.iter().filter(|(_, towards)| *towards).count();
+        let neighbour = |group: &[(VertexId, bool)]| Neighbour {
+            vertex: group[0].0,
+            sides: group.len(),
+            towards: towards(group),
+        };
+        groups.map(neighbour).collect()
+    }
+
+    /// Whether no face of some comes to a vertex twice.
+    pub(super) fn are_simple(&self, faces: &[FaceId]) -> bool {
+        let repeats =
+            |corners: &[VertexId]| (1..corners.len()).any(|at| corners[..at].contains(&corners[at]));
+        faces.iter().all(|&face| !repeats(self.of_face(face)))
+    }
+
+    /// Whether the triangles at a vertex, whose edges there are regular, hang together there.
+    pub(super) fn is_umbrella(&self, vertex: VertexId, star: &[FaceId]) -> bool {
+        let side = |&face: &FaceId| {
+            let corners = self.triangle(face)?;
+            let at = corners.iter().position(|&corner| corner == vertex)?;
+            Some((corners[(at + 1) % 3], corners[(at + 2) % 3]))
+        };
+        let mut sides: Vec<(VertexId, VertexId)> = star.iter().filter_map(side).collect();
+        sides.sort_unstable();
+        let next =
+            |from: VertexId| sides.binary_search_by_key(&from, |(from, _)| *from).ok().map(|at| sides[at].1);
+        let mut ends: Vec<VertexId> = sides.iter().map(|(_, to)| *to).collect();
+        ends.sort_unstable();
+        let first = sides.iter().map(|(from, _)| *from).find(|from| ends.binary_search(from).is_err());
+        let Some(first) = first.or(sides.first().map(|(from, _)| *from)) else { return false };
+        let (mut at, mut count) = (first, 0);
+        while let Some(to) = next(at).filter(|_| count < sides.len()) {
+            (at, count) = (to, count + 1);
+        }
+        count == star.len()
     }
 
     /// Puts a corner of a face to another vertex, with the attributes of a corner of the mesh.
