@@ -29,24 +29,32 @@ impl<'s> CrossingSearch<'s> {
     ///
     /// *Cost*: O(log n), and a comparison for each face whose box overlaps the triangle's.
     pub fn first_crossing(&self, triangle: [Point; 3]) -> Option<FaceId> {
+        self.crossings(triangle).first().copied()
+    }
+
+    /// All faces that a triangle of finite corners crosses or overlaps, ascending: as [`first_crossing`](Self::first_crossing) says.
+    ///
+    /// *Cost*: O(log n), and a comparison for each face whose box overlaps the triangle's.
+    pub fn crossings(&self, triangle: [Point; 3]) -> Vec<FaceId> {
+        let mut faces = Vec::new();
         if are_collinear(triangle) {
-            return None;
+            return faces;
         }
         let all = self.surface.triangles();
         let points = |at: usize| self.surface.points(&all[at]);
         let query = Query { bounds: Bounds::of(triangle), from: 0 };
-        let mut lowest: Option<FaceId> = None;
         self.tree.each_overlap(
             &[query],
             |at| Bounds::of(points(at)),
             |_, at| {
-                let face = all[at].face;
-                if lowest.is_none_or(|lowest| face < lowest) && have_common_insides(triangle, points(at)) {
-                    lowest = Some(face);
+                if have_common_insides(triangle, points(at)) {
+                    faces.push(all[at].face);
                 }
             },
         );
-        lowest
+        faces.sort_unstable();
+        faces.dedup();
+        faces
     }
 }
 

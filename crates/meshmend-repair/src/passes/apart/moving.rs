@@ -88,13 +88,15 @@ impl Crossing<'_> {
         if vertices.is_empty() {
             return Ok(());
         }
-        let crossed_before = self.crossing(self.mesh.positions(), &vertices)?;
+        let before = self.crossing(self.mesh.positions(), &vertices)?;
         loop {
-            let crossed = self.crossing(positions, &vertices)?;
-            let is_wrong = |record: &ApartRecord| {
-                let is_in = |list: &[VertexId]| list.binary_search(&record.vertex).is_ok();
-                record.is_moved() && is_in(&crossed) && !is_in(&crossed_before)
+            let now = self.crossing(positions, &vertices)?;
+            let is_worse = |vertex: VertexId| {
+                vertices
+                    .binary_search(&vertex)
+                    .is_ok_and(|at| now[at].iter().any(|pair| before[at].binary_search(pair).is_err()))
             };
+            let is_wrong = |record: &ApartRecord| record.is_moved() && is_worse(record.vertex);
             let mut is_done = true;
             for record in records.iter_mut().filter(|record| is_wrong(record)) {
                 record.fate = ApartFate::Left { left: NotMoved::Crossing };
@@ -107,21 +109,31 @@ impl Crossing<'_> {
         }
     }
 
-    /// Of some vertices, ascending, those at which a face crosses another one.
-    fn crossing(&self, positions: &[Point], vertices: &[VertexId]) -> Result<Vec<VertexId>, PassError> {
+    /// For each of some vertices the pairs of a face at it and a face that this one crosses, ascending.
+    fn crossing(
+        &self,
+        positions: &[Point],
+        vertices: &[VertexId],
+    ) -> Result<Vec<Vec<[FaceId; 2]>>, PassError> {
         let faces = self.mesh.faces();
         let mesh = PolygonMesh::new(positions.to_vec(), faces.clone()).map_err(DraftError::from)?;
         let surface = Surface::of(&mesh)?;
         let search = CrossingSearch::new(&surface);
         let complex = self.mesh.complex().faces();
-        let crosses = |vertex: &VertexId| {
+        let pairs = |vertex: &VertexId| {
             let first = self.corners.partition_point(|(other, _)| other < vertex);
             let corners = self.corners[first..].iter().take_while(|(other, _)| other == vertex);
-            let mut triangles =
-                corners.flat_map(|&(_, corner)| surface.triangles_of(complex.corner_face(corner)));
-            triangles.any(|triangle| search.first_crossing(surface.points(triangle)).is_some())
+            let own = corners.map(|&(_, corner)| complex.corner_face(corner));
+            let crossed = own.flat_map(|face| {
+                let triangles = surface.triangles_of(face).iter();
+                let others = triangles.flat_map(|triangle| search.crossings(surface.points(triangle)));
+                others.map(move |other| [face, other]).collect::<Vec<_>>()
+            });
+            let mut pairs: Vec<[FaceId; 2]> = crossed.collect();
+            pairs.sort_unstable();
+            pairs
         };
-        Ok(vertices.par_iter().copied().filter(crosses).collect())
+        Ok(vertices.par_iter().map(pairs).collect())
     }
 }
 
