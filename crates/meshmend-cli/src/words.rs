@@ -59,19 +59,14 @@ pub(crate) fn welding(word: &str) -> Result<Welding, String> {
         Some(length) => (length, true),
         None => (word, false),
     };
-    let (number, is_percentage) = match length.strip_suffix('%') {
-        Some(number) => (number, true),
-        None => (length, false),
+    let expected = |_| {
+        "expected none, exact, single, a length such as 0.001, a percentage such as 0.01%, or boundary: with either of these".to_owned()
     };
-    let number = number.trim().parse::<f64>().ok().filter(|number| number.is_finite() && *number >= 0.0);
-    let number = number.ok_or(
-        "expected none, exact, single, a length such as 0.001, a percentage such as 0.01%, or boundary: with either of these",
-    )?;
-    Ok(Welding::Within(match (is_boundary, is_percentage) {
-        (false, false) => Distance::Absolute(number),
-        (false, true) => Distance::Relative(number / 100.0),
-        (true, false) => Distance::Boundary(number),
-        (true, true) => Distance::BoundaryRelative(number / 100.0),
+    Ok(Welding::Within(match (reach(length).map_err(expected)?, is_boundary) {
+        (Reach::Absolute(length), false) => Distance::Absolute(length),
+        (Reach::Relative(part), false) => Distance::Relative(part),
+        (Reach::Absolute(length), true) => Distance::Boundary(length),
+        (Reach::Relative(part), true) => Distance::BoundaryRelative(part),
     }))
 }
 

@@ -2,7 +2,7 @@
 
 use meshmend_core::PolygonMesh;
 
-use crate::PassError;
+use crate::{Distance, PassError};
 
 /// A distance that is one, and that the coordinates of the faces can resolve.
 ///
@@ -14,12 +14,29 @@ pub(crate) fn resolved(pass: &'static str, mesh: &PolygonMesh, distance: f64) ->
     if !(distance.is_finite() && distance >= 0.0) {
         return Err(no_tolerance(pass, distance));
     }
+    if distance == 0.0 {
+        return Ok(distance);
+    }
     let used = mesh.faces().corner_vertices().iter().flat_map(|&vertex| mesh.position(vertex));
     let extent = used.filter(|x| x.is_finite()).fold(0.0f64, |most, x| most.max(x.abs()));
-    if distance > 0.0 && distance < extent * f64::EPSILON {
+    if distance < extent * f64::EPSILON {
         return Err(unresolved(pass, distance, extent));
     }
     Ok(distance)
+}
+
+/// The length that a distance is on a mesh, if it is one that the coordinates can resolve.
+///
+/// # Errors
+/// As [`resolved`].
+///
+/// *Cost*: linear.
+pub(crate) fn resolved_on(
+    pass: &'static str,
+    mesh: &PolygonMesh,
+    distance: Distance,
+) -> Result<f64, PassError> {
+    resolved(pass, mesh, distance.length_on(mesh))
 }
 
 /// Why a number is not a tolerance.

@@ -6,7 +6,7 @@ use meshmend_core::{
     Carry, CornerId, DefectKind, Domain, FaceId, Layer, PolygonMesh, Role, Sources, Values, VertexId,
 };
 use meshmend_repair::{
-    Context, Distance, Outcome, Pass, PassKind, Pipeline, Reach, SliverFate, SliverMending, Slivers, Weld,
+    Context, Distance, Outcome, Pass, PassKind, Pipeline, Reach, SliverFate, SliverMend, Slivers, Weld,
 };
 use meshmend_spatial::SliverReason;
 
@@ -54,7 +54,7 @@ fn a_collapse_names_what_went_into_what() {
     assert_eq!((outcome.mesh.counts().vertices, outcome.mesh.counts().faces), (5, 4));
     assert_eq!(
         outcome.slivers[0].fate,
-        SliverFate::Mended(SliverMending::Collapse { from: VertexId(2), into: VertexId(1) })
+        SliverFate::Mended(SliverMend::Collapse { from: VertexId(2), into: VertexId(1) })
     );
     assert!(outcome.slivers[0].to_string().starts_with("f0, a needle of aspect 4000"));
     let fixed: Vec<String> =
@@ -103,7 +103,7 @@ fn no_step_crosses_a_seam() {
     // Corner 0 of the needles is at vertex 1 in face 0; corner 3 of the cap's mesh at vertex 1 in the face below.
     assert_eq!(with(needles(), 0, Role::TexCoord), [SliverReason::Seam; 2]);
     assert_eq!(with(cap(), 3, Role::Plain), [SliverReason::Seam]);
-    assert_eq!(with(cap(), 3, Role::Identity), [], "what names a row of a file is no seam");
+    assert_eq!(with(cap(), 3, Role::Identity), [], "what names a row of a file is not a seam");
     let material = |uses: Vec<u32>| {
         let names = Values::Text(vec![b"red".to_vec(), b"blue".to_vec()]);
         let layer = Layer::indexed("material", Domain::Face, 1, Carry::Copy, names, uses);
@@ -125,9 +125,8 @@ fn nothing_is_farther_than_allowed_from_where_it_was_stored() {
         let record = repaired.passes.into_iter().find(|record| record.pass == PassKind::Slivers).unwrap();
         record.slivers[0].clone()
     };
-    let collapse = |from, into| {
-        SliverFate::Mended(SliverMending::Collapse { from: VertexId(from), into: VertexId(into) })
-    };
+    let collapse =
+        |from, into| SliverFate::Mended(SliverMend::Collapse { from: VertexId(from), into: VertexId(into) });
     assert_eq!(record(1.25).fate, collapse(2, 1));
     assert_eq!(record(1.1).fate, collapse(1, 2), "vertex 6 was stored farther away from vertex 1");
     assert!(record(0.9).is_limited());

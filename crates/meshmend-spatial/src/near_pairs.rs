@@ -16,8 +16,7 @@ pub fn near_pairs(points: &[Point], within: f64, most: usize) -> Option<Vec<[u32
     for (place, &point) in (0u32..).zip(points) {
         let mut beside = Vec::new();
         tree.visit_near([point, point], within, |other| {
-            let there = points[other as usize];
-            if other > place && (point == there || near.are_near(point, there)) {
+            if other > place && near.are_near(point, points[other as usize]) {
                 beside.push(other);
             }
         });

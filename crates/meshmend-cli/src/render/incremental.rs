@@ -5,7 +5,7 @@ use meshmend::report::{IncrementalDocument, RunningStep};
 use meshmend::topology::Effect;
 
 use super::table::{self, Align};
-use super::{ABSENT, Style, figure, paragraph, printable};
+use super::{ABSENT, Style, figure, paragraph, printable, rest};
 
 /// The report on a mesh that was put together cell by cell.
 pub(crate) fn incremental(document: &IncrementalDocument, style: Style) -> String {
@@ -42,10 +42,7 @@ fn steps(document: &IncrementalDocument) -> Vec<String> {
         std::iter::once(heading).chain(document.steps.items.iter().map(row)).collect();
     let numbers = [Align::Left, Align::Left, Align::Right, Align::Right, Align::Right];
     let mut lines = table::lines(&rows, &numbers);
-    let hidden = document.steps.count - document.steps.items.len() as u64;
-    if hidden > 0 {
-        lines.push(format!("… and {hidden} more"));
-    }
+    lines.extend(rest(&document.steps));
     lines
 }
 

@@ -5,7 +5,7 @@ use meshmend::report::{
 };
 
 use super::table::{self, Align};
-use super::{Style, figure, paragraph, printable};
+use super::{Style, figure, paragraph, printable, rest};
 
 /// The report on the matrices of a mesh.
 pub(crate) fn matrix(document: &MatrixDocument, style: Style) -> String {
@@ -133,10 +133,4 @@ fn listed<T>(listing: &Listing<T>, shown: impl Fn(&T) -> String) -> Vec<String> 
 fn with_rest<T>(mut lines: Vec<String>, listing: &Listing<T>) -> Vec<String> {
     lines.extend(rest(listing));
     lines
-}
-
-/// How many are not shown, if there are more.
-fn rest<T>(listing: &Listing<T>) -> Option<String> {
-    let hidden = listing.count - listing.items.len() as u64;
-    (hidden > 0).then(|| format!("… and {hidden} more"))
 }

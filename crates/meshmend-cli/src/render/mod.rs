@@ -83,6 +83,12 @@ fn yes_no(answer: bool) -> &'static str {
     if answer { "yes" } else { "no" }
 }
 
+/// How many items of a list are not shown, if there are more.
+fn rest<T>(listing: &Listing<T>) -> Option<String> {
+    let hidden = listing.count - listing.items.len() as u64;
+    (hidden > 0).then(|| format!("… and {hidden} more"))
+}
+
 /// A headed paragraph of indented lines; empty if there are no lines.
 fn paragraph(heading: &str, lines: impl IntoIterator<Item = String>) -> String {
     let lines: Vec<String> = lines.into_iter().map(|line| format!("  {line}\n")).collect();

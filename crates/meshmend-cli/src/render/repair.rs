@@ -13,7 +13,7 @@ use meshmend::{DefectKind, GeometryChange, GeometryChanges, Loss, PassKind, Seve
 
 use super::check::{column, defects};
 use super::table::{self, Align};
-use super::{Style, change, counts, figure, kinds_with_counts, paragraph, printable};
+use super::{Style, change, counts, figure, kinds_with_counts, paragraph, printable, rest};
 
 /// The report on a repair.
 pub(crate) fn repair(document: &RepairDocument, style: Style) -> String {
@@ -23,8 +23,7 @@ pub(crate) fn repair(document: &RepairDocument, style: Style) -> String {
     page.push_str(&paragraph(&style.heading("removed faces"), removed(document)));
     let emptied = &document.emptied_names;
     let mut names: Vec<String> = emptied.items.iter().map(|name| printable(&name.message)).collect();
-    let hidden = emptied.count - names.len() as u64;
-    names.extend((hidden > 0).then(|| format!("… and {hidden} more")));
+    names.extend(rest(emptied));
     page.push_str(&paragraph(&style.heading("names of which nothing is left"), names));
     let after = document.after.as_ref();
     let wrong = after.map(|after| defects(after, Severity::Defect)).unwrap_or_default();
@@ -214,9 +213,7 @@ fn dropped(document: &DroppedDocument) -> impl Iterator<Item = String> + '_ {
 
 /// A line for each item of a list, and one that says how many there are beside them.
 fn items_and_more<T: Display>(list: &Listing<T>) -> impl Iterator<Item = String> + '_ {
-    let hidden = list.count - list.items.len() as u64;
-    let more = (hidden > 0).then(|| format!("… and {hidden} more"));
-    list.items.iter().map(ToString::to_string).chain(more)
+    list.items.iter().map(ToString::to_string).chain(rest(list))
 }
 
 /// How many vertices welding joined. The kind's own title speaks of what exact welding would do.

@@ -19,7 +19,7 @@ pub struct Nearness {
 }
 
 impl Nearness {
-    /// What is within a distance, which is a positive number.
+    /// What is within a distance, which is a number of 0 or more: within 0 are points that are equal.
     pub fn within(distance: f64) -> Self {
         let square = distance * distance;
         let (surely_near, surely_far) = if square.is_normal() {
@@ -43,7 +43,8 @@ impl Nearness {
         } else if square > self.surely_far {
             false
         } else {
-            way.iter().map(|part| part / self.distance).map(|part| part * part).sum::<f64>() <= 1.0
+            way == [0.0; 3]
+                || way.iter().map(|part| part / self.distance).map(|part| part * part).sum::<f64>() <= 1.0
         }
     }
 

@@ -21,7 +21,7 @@ use meshmend_core::{
 use meshmend_spatial::{Healed, HealedCorner, heal};
 use serde::{Deserialize, Serialize};
 
-use crate::tolerance::resolved;
+use crate::tolerance::resolved_on;
 use crate::{Context, Distance, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow};
 
 mod record;
@@ -82,7 +82,7 @@ impl Pass for Heal {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        let healed = heal(mesh, self.distance_on(mesh)?);
+        let healed = heal(mesh, resolved_on(ROW.name, mesh, self.within.distance())?);
         context.check_cancelled()?;
         let t_junctions = record::of(mesh, &healed);
         if healed.faces.is_empty() {
@@ -93,16 +93,12 @@ impl Pass for Heal {
     }
 }
 
-impl Heal {
-    /// How far from an edge a vertex lies on it.
-    ///
-    /// # Errors
-    /// When that is no length, or so small that the coordinates can't resolve it.
-    fn distance_on(&self, mesh: &PolygonMesh) -> Result<f64, PassError> {
-        match self.within {
-            HealWithin::Exact => Ok(0.0),
-            HealWithin::Absolute(length) => resolved(ROW.name, mesh, length),
-            HealWithin::Relative(part) => resolved(ROW.name, mesh, Distance::Relative(part).length_on(mesh)),
+impl HealWithin {
+    fn distance(self) -> Distance {
+        match self {
+            HealWithin::Exact => Distance::Exact,
+            HealWithin::Absolute(length) => Distance::Absolute(length),
+            HealWithin::Relative(part) => Distance::Relative(part),
         }
     }
 }

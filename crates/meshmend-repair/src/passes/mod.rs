@@ -143,7 +143,7 @@ passes! {
     split: Split, SeamFigures, Seams, SplitEdges;
     fill: Fill, Crossed, CrossingFills, FillCrossing, FillLimits, FillLoops, FillRims, FillShape, FillWith, LeftOpen, LoopFate, LoopRecord, Reach;
     triangulate: Triangulate, TriangulateFaces;
-    slivers: Slivers, SliverFate, SliverMending, SliverRecord;
+    slivers: Slivers, SliverFate, SliverMend, SliverRecord;
     drop: DropParts, DropRecord, DroppedComponent, Internal, SmallComponents;
     outward: Outward, Turn;
     compact: Compact, LooseElements;

@@ -19,7 +19,7 @@ use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh};
 use meshmend_spatial::{FoundSliver, MendedSlivers, Reshaped, SliverTask, mend_slivers};
 use serde::{Deserialize, Serialize};
 
-use crate::tolerance::resolved;
+use crate::tolerance::resolved_on;
 use crate::{
     Context, Distance, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Reach,
 };
@@ -30,7 +30,8 @@ mod record;
 mod reshaped;
 mod stored;
 
-pub use record::{SliverFate, SliverMending, SliverRecord};
+pub use meshmend_spatial::SliverMend;
+pub use record::{SliverFate, SliverRecord};
 
 /// Mends triangles that are far longer than they are high.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -89,7 +90,7 @@ impl Pass for Slivers {
             aspect: limit::checked(self.aspect)
                 .map_err(|reason| PassError::Request { pass: ROW.name, reason })?,
             // What went before is not known vertex by vertex: together they stay within the distance.
-            reach: (self.reach_on(mesh)? - context.moved).max(0.0),
+            reach: (resolved_on(ROW.name, mesh, self.reach())? - context.moved).max(0.0),
             stood_for: &stored::points(mesh, context),
             attributes: &attributes::Layers::of(mesh),
         };
@@ -115,13 +116,10 @@ impl Pass for Slivers {
 
 impl Slivers {
     /// How far the surface may move.
-    ///
-    /// # Errors
-    /// When that is no length, or so small that the coordinates can't resolve it.
-    fn reach_on(&self, mesh: &PolygonMesh) -> Result<f64, PassError> {
+    fn reach(&self) -> Distance {
         match self.max_move {
-            Reach::Absolute(length) => resolved(ROW.name, mesh, length),
-            Reach::Relative(part) => resolved(ROW.name, mesh, Distance::Relative(part).length_on(mesh)),
+            Reach::Absolute(length) => Distance::Absolute(length),
+            Reach::Relative(part) => Distance::Relative(part),
         }
     }
 }

@@ -33,7 +33,7 @@ mod boundary;
 
 use boundary::joined_along_boundaries;
 
-use crate::tolerance::{no_tolerance, resolved, unresolved};
+use crate::tolerance::{no_tolerance, resolved_on, unresolved};
 use crate::{
     Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
 };
@@ -147,7 +147,7 @@ impl Pass for Weld {
             Distance::Absolute(_) | Distance::Relative(_) => within(mesh, self.tolerance_on(mesh), context)?,
             Distance::Boundary(_) | Distance::BoundaryRelative(_) => {
                 let exact = equal_in_pose_if(self.by, mesh, coincident_vertices(mesh));
-                let epsilon = resolved(ROW.name, mesh, self.tolerance_on(mesh))?;
+                let epsilon = resolved_on(ROW.name, mesh, self.distance)?;
                 joined_along_boundaries(mesh, exact, epsilon, context)?
             }
         };

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Severity, VertexId};
 use meshmend_repair::{
-    AnyPass, Context, Outcome, Pass, PassError, SliverFate, SliverMending, SliverRecord, Weld,
+    AnyPass, Context, Outcome, Pass, PassError, SliverFate, SliverMend, SliverRecord, Weld,
 };
 use meshmend_testkit::laws::{Change, DefectCounts, Promise};
 use meshmend_testkit::{Soup, shapes, worlds};
@@ -67,7 +67,7 @@ pub(crate) enum Patches {
 /// The faces that are named as having got another corner by a flip.
 fn flipped_faces(outcome: &Outcome) -> BTreeSet<FaceId> {
     let flip = |record: &SliverRecord| match record.fate {
-        SliverFate::Mended(SliverMending::Flip { with, .. }) => [record.face, with],
+        SliverFate::Mended(SliverMend::Flip { with, .. }) => [record.face, with],
         _ => [record.face; 2],
     };
     outcome.slivers.iter().filter(|record| record.is_step()).flat_map(flip).collect()

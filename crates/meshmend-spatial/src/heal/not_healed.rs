@@ -1,7 +1,10 @@
 //! Why T-junctions stay.
 
+use serde::Serialize;
+
 /// Why a T-junction is not healed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum NotHealed {
     /// No boundary edge of the vertex runs along the edge.
     Foreign,
@@ -16,17 +19,6 @@ pub enum NotHealed {
 }
 
 impl NotHealed {
-    /// The reason in a word, as reports have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            NotHealed::Foreign => "foreign",
-            NotHealed::Thin => "thin",
-            NotHealed::Repeated => "repeated",
-            NotHealed::Crowded => "crowded",
-            NotHealed::Unmatched => "unmatched",
-        }
-    }
-
     /// The reason in words, as it follows “left: ”.
     pub fn reason(self) -> &'static str {
         match self {

@@ -29,6 +29,23 @@ pub struct InternalFaces {
     pub mixed: Vec<FaceId>,
 }
 
+impl InternalFaces {
+    /// For each component whether all of its faces are internal.
+    ///
+    /// *Cost*: linear.
+    pub fn whole_components(&self, nesting: &Nesting) -> Vec<bool> {
+        let mut internal = vec![0_u32; nesting.components.len()];
+        let components = self.internal.iter().filter_map(|&face| nesting.component_of(face));
+        components.for_each(|place| internal[place] += 1);
+        nesting
+            .components
+            .iter()
+            .zip(internal)
+            .map(|(component, internal)| component.faces == internal)
+            .collect()
+    }
+}
+
 /// Regions that are asked together.
 const TOGETHER: usize = 64;
 

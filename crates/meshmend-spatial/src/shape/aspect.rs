@@ -6,10 +6,13 @@ use meshmend_geometry::vector::{Point, cross, dot, minus};
 use num_bigint::BigInt;
 
 use crate::exact::integers::{self, integer, integer_points, lowest_exponent};
+use serde::Serialize;
+
 use crate::exact::nearest::root_of_quotient;
 
 /// What a triangle that is too thin looks like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SliverKind {
     /// One of its edges is at most a tenth of the longest one.
     Needle,

@@ -1,6 +1,9 @@
 //! What was done to slivers, and why others are left.
 
+use std::fmt;
+
 use meshmend_core::{CornerId, FaceId, VertexId};
+use serde::Serialize;
 
 use crate::SliverKind;
 
@@ -51,7 +54,8 @@ pub struct SliverStep {
 }
 
 /// What is done to a sliver.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "step", rename_all = "kebab-case")]
 pub enum SliverMend {
     /// One end of its shortest edge went into the other; the faces at that edge went.
     Collapse {
@@ -73,6 +77,18 @@ pub enum SliverMend {
     Drop,
 }
 
+impl fmt::Display for SliverMend {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SliverMend::Collapse { from, into } => write!(f, "{from} went into {into}"),
+            SliverMend::Flip { edge: [a, b], to: [c, d], with } => {
+                write!(f, "the edge {a}-{b} to {with} was flipped to {c}-{d}")
+            }
+            SliverMend::Drop => f.write_str("it went"),
+        }
+    }
+}
+
 /// A sliver that is left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftSliver {
@@ -84,7 +100,8 @@ pub struct LeftSliver {
 
 /// Why a sliver is left. Of several reasons it is the first; the distance is asked last, and so is the only one where it is
 /// named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SliverReason {
     /// A face that would change has a number of corners other than three.
     NonTriangle,
@@ -109,22 +126,6 @@ pub enum SliverReason {
 }
 
 impl SliverReason {
-    /// The reason in a word.
-    pub fn name(self) -> &'static str {
-        match self {
-            SliverReason::NonTriangle => "non-triangle",
-            SliverReason::NotFinite => "not-finite",
-            SliverReason::Sides => "sides",
-            SliverReason::Link => "link",
-            SliverReason::Boundary => "boundary",
-            SliverReason::Seam => "seam",
-            SliverReason::TurnsOver => "turns-over",
-            SliverReason::NoBetter => "no-better",
-            SliverReason::Move => "move",
-            SliverReason::StepLimit => "step-limit",
-        }
-    }
-
     /// The reason in words, as it follows “left: ”.
     pub fn reason(self) -> &'static str {
         match self {

@@ -148,12 +148,9 @@ impl GeometryReport {
     /// The components all of whose faces are internal.
     fn internal_components(&self) -> Vec<Defect> {
         let (Some(nesting), Some(found)) = (&self.nesting, &self.internal) else { return Vec::new() };
-        let mut internal = vec![0_u32; nesting.components.len()];
-        let components = found.internal.iter().filter_map(|&face| nesting.component_of(face));
-        components.for_each(|place| internal[place] += 1);
-        let all = nesting.components.iter().zip(internal);
-        let whole = all.filter(|(component, internal)| component.faces == *internal);
-        whole.map(|(component, faces)| Defect::internal_component(component.lowest_face, faces)).collect()
+        let all = nesting.components.iter().zip(found.whole_components(nesting));
+        let whole = all.filter_map(|(component, is_whole)| is_whole.then_some(component));
+        whole.map(of_component(Defect::internal_component)).collect()
     }
 }
 

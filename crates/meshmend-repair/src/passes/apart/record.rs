@@ -39,9 +39,9 @@ pub enum ApartFate {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NotMoved {
-    /// A face at it is no triangle.
+    /// One of its faces is not a triangle.
     Polygon,
-    /// Within a few steps there is no place at which no triangle turns over, loses its area, or has another vertex's place.
+    /// At every place within a few steps a triangle turns over or loses its area, or another vertex is there.
     NoRoom,
     /// A face at it would cross another one.
     Crossing,
@@ -63,7 +63,9 @@ impl fmt::Display for ApartRecord {
                 let steps = meshmend_core::counted(*steps as usize, "step");
                 write!(f, "moved by {length:e}, {steps} of single precision")
             }
-            ApartFate::Left { left: NotMoved::Polygon } => write!(f, "left, as a face there is no triangle"),
+            ApartFate::Left { left: NotMoved::Polygon } => {
+                write!(f, "left, as a face there is not a triangle")
+            }
             ApartFate::Left { left: NotMoved::NoRoom } => {
                 write!(f, "left, as it finds no place where no triangle turns over")
             }

@@ -50,12 +50,11 @@ pub(super) fn judged(options: &DropParts, mesh: &PolygonMesh) -> Result<Judged, 
             internal_faces(&surface, &intersections(&surface, all), &nesting).unwrap_or_default()
         }
     };
-    let mut inside_of = vec![0u32; nesting.components.len()];
-    inside.internal.iter().filter_map(|&face| nesting.component_of(face)).for_each(|at| inside_of[at] += 1);
+    let is_inside = inside.whole_components(&nesting);
     let areas = areas(&surface, &nesting);
     let reason = |at: usize| {
         let component = &nesting.components[at];
-        if inside_of[at] == component.faces {
+        if is_inside[at] {
             return Some(DefectKind::InternalFace);
         }
         let is_small = match options.components {

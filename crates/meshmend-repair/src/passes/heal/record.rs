@@ -5,7 +5,7 @@ use std::fmt;
 use meshmend_core::{FaceId, PolygonMesh, VertexId};
 use meshmend_geometry::vector::{Point, length, minus};
 use meshmend_spatial::{Healed, HealedCorner, Insertion, LeftTJunction, NotHealed};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// A piece shorter than this part of the diagonal of the mesh's box is named.
 const SHORT: f64 = 1e-9;
@@ -41,7 +41,6 @@ pub enum TJunctionFate {
     /// It is still there.
     Left {
         /// Why.
-        #[serde(serialize_with = "by_name")]
         left: NotHealed,
     },
 }
@@ -51,10 +50,6 @@ impl TJunctionRecord {
     pub fn is_healed(&self) -> bool {
         matches!(self.fate, TJunctionFate::Healed { .. })
     }
-}
-
-fn by_name<S: Serializer>(left: &NotHealed, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(left.name())
 }
 
 /// What became of the T-junctions of a mesh, by vertex and ends.

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use meshmend_core::{FaceId, Lie, VertexId};
+use meshmend_core::{FaceId, Lie};
 use meshmend_spatial::{FoundSliver, MendedSlivers, SliverKind, SliverMend, SliverReason};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use crate::fates::NewIds;
 
@@ -14,7 +14,6 @@ pub struct SliverRecord {
     /// The face: of a step by its id before the pass, of a sliver that is left by that after it.
     pub face: FaceId,
     /// What it looks like, before the step.
-    #[serde(serialize_with = "kind_by_name")]
     pub shape: SliverKind,
     /// How many times as long as high it is, before the step; absent if it has no area.
     pub aspect: Option<f64>,
@@ -27,38 +26,13 @@ pub struct SliverRecord {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum SliverFate {
-    /// A step was made.
-    Mended(SliverMending),
+    /// A step was made, by ids before the pass.
+    Mended(SliverMend),
     /// It is left.
     Left {
         /// Why.
-        #[serde(serialize_with = "reason_by_name")]
         left: SliverReason,
     },
-}
-
-/// A step that was made for a sliver, by ids before the pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(tag = "step", rename_all = "kebab-case")]
-pub enum SliverMending {
-    /// One end of its shortest edge went into the other.
-    Collapse {
-        /// The vertex that is gone.
-        from: VertexId,
-        /// The one that it went into.
-        into: VertexId,
-    },
-    /// Its longest edge was flipped.
-    Flip {
-        /// The ends of the edge that went.
-        edge: [VertexId; 2],
-        /// The ends of the edge that came.
-        to: [VertexId; 2],
-        /// The other face of the edge.
-        with: FaceId,
-    },
-    /// It went.
-    Drop,
 }
 
 impl SliverRecord {
@@ -71,14 +45,6 @@ impl SliverRecord {
     pub fn is_limited(&self) -> bool {
         matches!(self.fate, SliverFate::Left { left } if left.is_limit())
     }
-}
-
-fn kind_by_name<S: Serializer>(kind: &SliverKind, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(kind.name())
-}
-
-fn reason_by_name<S: Serializer>(reason: &SliverReason, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(reason.name())
 }
 
 /// What a sliver looks like, in the words of defects.
@@ -95,7 +61,7 @@ pub(super) fn of(mended: &MendedSlivers) -> Vec<SliverRecord> {
         let FoundSliver { face, kind, aspect } = sliver;
         SliverRecord { face, shape: kind, aspect, fate }
     };
-    let steps = mended.steps.iter().map(|step| record(step.sliver, SliverFate::Mended(mending(step.mend))));
+    let steps = mended.steps.iter().map(|step| record(step.sliver, SliverFate::Mended(step.mend)));
     let left = mended.left.iter().map(|left| record(left.sliver, SliverFate::Left { left: left.reason }));
     steps.chain(left).collect()
 }
@@ -107,26 +73,6 @@ pub(super) fn renamed(mut records: Vec<SliverRecord>, new_ids: &NewIds) -> Vec<S
     records
 }
 
-fn mending(mend: SliverMend) -> SliverMending {
-    match mend {
-        SliverMend::Collapse { from, into } => SliverMending::Collapse { from, into },
-        SliverMend::Flip { edge, to, with } => SliverMending::Flip { edge, to, with },
-        SliverMend::Drop => SliverMending::Drop,
-    }
-}
-
-impl fmt::Display for SliverMending {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            SliverMending::Collapse { from, into } => write!(f, "{from} went into {into}"),
-            SliverMending::Flip { edge: [a, b], to: [c, d], with } => {
-                write!(f, "the edge {a}-{b} to {with} was flipped to {c}-{d}")
-            }
-            SliverMending::Drop => f.write_str("it went"),
-        }
-    }
-}
-
 impl fmt::Display for SliverRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}, a {}", self.face, self.shape.name())?;
@@ -135,7 +81,7 @@ impl fmt::Display for SliverRecord {
             None => f.write_str(" without area: ")?,
         }
         match &self.fate {
-            SliverFate::Mended(mending) => mending.fmt(f),
+            SliverFate::Mended(mend) => mend.fmt(f),
             SliverFate::Left { left } => write!(f, "left: {}", left.reason()),
         }
     }

@@ -143,7 +143,7 @@ impl<'a> Classes<'a> {
         let point = |place: &u32| self.points[*place as usize];
         let is_near = |place: &u32| {
             let here = point(place);
-            self.members[other].iter().map(point).all(|there| here == there || near.are_near(here, there))
+            self.members[other].iter().all(|place| near.are_near(here, point(place)))
         };
         !self.holders[one].iter().any(is_shared) && self.members[one].iter().all(is_near)
     }
