@@ -3,6 +3,7 @@
 use std::fmt;
 use std::process::ExitCode;
 
+use meshmend::files::{FileError, NoSuchPart};
 use meshmend::formats::{Place, WriteErrorKind};
 use meshmend::{PassError, ReadError, WriteError};
 
@@ -71,7 +72,7 @@ impl Failure {
     }
 
     /// The same, for a part of a file that can't hold a part without faces.
-    pub(crate) fn of_part(file: &str, error: &PassError) -> Self {
+    fn of_part(file: &str, error: &PassError) -> Self {
         Failure::of_mesh(file, error, "; --allow-empty has no effect on a file of parts")
     }
 
@@ -98,6 +99,28 @@ impl From<ReadError> for Failure {
             place => format!("{file}: {place}: {kind}"),
         };
         Failure { status: Status::Unreadable, message }
+    }
+}
+
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        match error {
+            FileError::Placed { .. } => Failure { status: Status::Unreadable, message: error.to_string() },
+            FileError::HasParts { file } => {
+                Failure::usage(format!("{file}: the file has parts of its own; --by takes one mesh apart"))
+            }
+            FileError::Pass { file, error } => Failure::of_pass(&file, &error),
+            FileError::NoPartLeft { file, error } => Failure::of_part(&file, &error),
+            FileError::Write(error) => error.into(),
+            // What was asked for is not there.
+            error => Failure::usage(error.to_string()),
+        }
+    }
+}
+
+impl From<NoSuchPart> for Failure {
+    fn from(error: NoSuchPart) -> Self {
+        FileError::from(error).into()
     }
 }
 

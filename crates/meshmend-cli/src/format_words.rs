@@ -1,6 +1,6 @@
 //! Formats, as the command line and its help name them.
 
-use meshmend::{Format, WriteOptions};
+use meshmend::Format;
 
 /// Reads the extension of a format that is written.
 pub(crate) fn format(word: &str) -> Result<Format, String> {
@@ -29,12 +29,6 @@ fn formats_that_are_read() -> String {
     }
 }
 
-/// What readers call a file that is written so.
-pub(crate) fn variant(options: &WriteOptions) -> Option<&'static str> {
-    let (format, encoding) = options.resolved().ok()?;
-    Some(format.variant(encoding))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -43,21 +37,5 @@ mod tests {
     fn an_unknown_format_is_answered_with_the_known_ones() {
         assert!(format("fbx").unwrap_err().starts_with("the formats are obj, ply"));
         assert_eq!(format("PLY"), Ok(Format::Ply));
-    }
-
-    #[test]
-    fn what_is_written_has_the_name_that_its_reader_gives_it() {
-        for &format in Format::ALL {
-            for &encoding in format.encodings() {
-                let options = WriteOptions::of(format).with_encoding(encoding);
-                let faces = meshmend::FaceTable::triangles(3, [0, 1, 2].map(meshmend::VertexId).to_vec());
-                let mesh = meshmend::PolygonMesh::new(vec![[0.0; 3]; 3], faces.unwrap()).unwrap();
-                let mut bytes = Vec::new();
-                meshmend::encode(&mesh, &options, &mut bytes).unwrap();
-                let name = format!("a.{}", format.extensions()[0]);
-                let file = meshmend::read_bytes(&bytes, &name, &Default::default()).unwrap();
-                assert_eq!(Some(file.variant), variant(&options));
-            }
-        }
     }
 }

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::words::{self, Welding};
 
 /// What is asked about where the faces lie.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub(crate) struct GeometryWords {
     /// Ask where the faces lie too, exactly: all of it, or some questions
     #[arg(long, value_enum, value_name = "QUESTION", value_delimiter = ',', num_args = 0.., require_equals = true)]

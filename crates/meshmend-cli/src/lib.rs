@@ -15,6 +15,7 @@ mod parts;
 mod policies;
 mod progress;
 mod render;
+mod repair_words;
 mod signals;
 mod streams;
 mod threads;

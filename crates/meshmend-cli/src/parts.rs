@@ -1,11 +1,8 @@
 //! Which parts of a file a command is about.
 
 use clap::ValueEnum;
-use meshmend::PolygonMesh;
-use meshmend::formats::{Document, Part, PartSource, PartStatus, Placing};
-use meshmend::passes::NamedPart;
-
-use crate::failure::Failure;
+use meshmend::files::{FaceNames, PartChoice};
+use meshmend::formats::Placing;
 
 /// How the parts of a file become one mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -38,54 +35,13 @@ pub(crate) enum ByWord {
     Solid,
 }
 
-impl ByWord {
-    /// The layer that has the names.
-    pub(crate) fn layer(self) -> &'static str {
-        match self {
-            ByWord::Object | ByWord::Solid => "object",
-            ByWord::Group => "group",
-            ByWord::Material => "material",
-        }
-    }
-
-    /// What each part is called.
-    fn name(self) -> &'static str {
-        match self {
-            ByWord::Solid => "solid",
-            _ => self.layer(),
-        }
-    }
-
-    /// A file of one mesh with these parts of it in its place.
-    pub(crate) fn document<'a>(
-        self,
-        document: Document,
-        parts: impl Iterator<Item = &'a NamedPart>,
-    ) -> Document {
-        let part = |named: &NamedPart| Part {
-            name: named.name.clone(),
-            source: PartSource::Named { layer: self.name().to_owned() },
-            mesh: named.mesh.clone(),
-            status: PartStatus::Editable,
-        };
-        document.with_parts(parts.map(part).collect())
-    }
-
-    /// The failure when faces have no names of this kind.
-    pub(crate) fn no_names(self, file: &str) -> Failure {
-        Failure::usage(format!("{file}: its faces have no {} to take it apart by", self.name()))
-    }
-
-    /// The mesh of a file of one mesh.
-    ///
-    /// # Errors
-    /// If the file has parts of its own.
-    pub(crate) fn mesh(self, document: &Document, file: &str) -> Result<PolygonMesh, Failure> {
-        match &document.parts[..] {
-            [part] if document.is_whole() => Ok(part.mesh.clone()),
-            _ => Err(Failure::usage(format!(
-                "{file}: the file has parts of its own; --by takes one mesh apart"
-            ))),
+impl From<ByWord> for FaceNames {
+    fn from(word: ByWord) -> Self {
+        match word {
+            ByWord::Object => FaceNames::Object,
+            ByWord::Group => FaceNames::Group,
+            ByWord::Material => FaceNames::Material,
+            ByWord::Solid => FaceNames::Solid,
         }
     }
 }
@@ -102,38 +58,8 @@ pub(crate) struct PartWords {
 }
 
 impl PartWords {
-    /// The numbers of the parts that are asked for, ascending; all without a choice.
-    ///
-    /// # Errors
-    /// If a word is neither the name nor the number of a part.
-    pub(crate) fn chosen(&self, document: &Document) -> Result<Vec<usize>, Failure> {
-        let all = || document.parts.iter().enumerate();
-        if let Some(word) = self.parts.iter().find(|word| !all().any(|part| is(part, word))) {
-            return Err(unknown(word, document));
-        }
-        let is_asked_for =
-            |part: &(usize, &Part)| self.parts.is_empty() || self.parts.iter().any(|word| is(*part, word));
-        Ok(all().filter(is_asked_for).map(|(number, _)| number).collect())
+    /// The parts that are asked for.
+    pub(crate) fn choice(&self) -> PartChoice {
+        PartChoice::of(self.parts.clone()).taken_apart_by(self.by.map(FaceNames::from))
     }
-}
-
-/// Whether a word is the name or the number of a part.
-fn is((number, part): (usize, &Part), word: &str) -> bool {
-    (!part.name.is_empty() && part.name == word.as_bytes()) || number.to_string() == word
-}
-
-fn unknown(word: &str, document: &Document) -> Failure {
-    const MOST: usize = 8;
-    let names: Vec<String> = document
-        .parts
-        .iter()
-        .enumerate()
-        .take(MOST)
-        .map(|(number, part)| format!("{number}: {}", part.title()))
-        .collect();
-    let more = match document.parts.len().saturating_sub(MOST) {
-        0 => String::new(),
-        more => format!(", and {more} more"),
-    };
-    Failure::usage(format!("there is no part `{word}`; the parts are {}{more}", names.join(", ")))
 }

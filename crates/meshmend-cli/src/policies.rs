@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command};
-use meshmend::passes::{Emptying, OptionValues, PassOption, Passes, TriangulateFaces};
+use meshmend::files::CutPolygons;
+use meshmend::passes::{Emptying, OptionValues, PassOption, Passes};
 use meshmend::{PassKind, Plan};
 
 use crate::failure::Failure;
@@ -108,16 +109,11 @@ impl Policies {
         Ok(plan)
     }
 
-    /// Their plan for an output that holds triangles alone: polygons are cut by the pass, which never repeats an edge,
-    /// unless a plan or an option says otherwise.
-    pub(crate) fn for_triangles(&self, plan: Plan) -> Plan {
+    /// Whether their plan is as it is for an output that holds triangles alone too: a plan or an option says what is done to
+    /// polygons.
+    pub(crate) fn cut_polygons(&self) -> CutPolygons {
         let is_said = self.plan.is_some() || self.said.iter().any(|said| said.pass == PassKind::Triangulate);
-        if is_said {
-            return plan;
-        }
-        let mut plan = plan.with(PassKind::Triangulate);
-        plan.triangulate.faces = TriangulateFaces::All;
-        plan
+        if is_said { CutPolygons::AsPlanned } else { CutPolygons::WhereNeeded }
     }
 
     /// The plan without a pass; another option of a pass that does not run is a mistake of the user.
@@ -189,7 +185,7 @@ mod tests {
     use meshmend::passes::{
         DropParts, Duplicates, FillLimits, FillLoops, FillRims, FillWith, HealWithin, Internal,
         LooseElements, NonFinite, NonOrientable, Reach, Repeated, Side, Slivers, SmallComponents, SplitEdges,
-        Turn,
+        TriangulateFaces, Turn,
     };
     use meshmend::{Distance, FlippedNormals};
 

@@ -45,6 +45,13 @@ impl Progress {
         self.bar.set_message(printable(name));
         self.bar.inc(1);
     }
+
+    /// Begins the step of this place among so many that are counted by themselves.
+    pub(crate) fn step_of(&self, name: &str, place: usize, count: usize) {
+        self.bar.set_length(count as u64);
+        self.bar.set_position(place as u64);
+        self.step(name);
+    }
 }
 
 impl Watch {

@@ -5,6 +5,7 @@
 use std::io::Write;
 use std::path::Path;
 
+use meshmend::files::PreparedFile;
 use meshmend::formats::{
     Document, Placing, Prepared, PreparedDocument, ReadErrorKind, WriteError, read_document,
     read_document_stream, replace_file,
@@ -144,6 +145,15 @@ pub(crate) fn write_mesh(
 pub(crate) fn write_prepared(
     output: &Path,
     prepared: &Prepared,
+    console: &mut Console<'_>,
+) -> Result<(), Failure> {
+    write_ready(output, console, |path| prepared.write(path), |out| prepared.encode(out))
+}
+
+/// Writes a repaired file that is ready to a file, whole or not at all, or to standard output.
+pub(crate) fn write_repaired(
+    output: &Path,
+    prepared: &PreparedFile,
     console: &mut Console<'_>,
 ) -> Result<(), Failure> {
     write_ready(output, console, |path| prepared.write(path), |out| prepared.encode(out))

@@ -367,3 +367,27 @@ fn a_file_of_the_same_format_is_written_as_it_was_read() {
     let run = meshmend(&["convert", &input, &folder.at("out.obj")]).succeeds();
     assert!(run.stdout.contains("element `camera` of 1 row"), "{}", run.stdout);
 }
+
+/// The library repairs files as the program does, and says the same of it.
+#[test]
+fn the_report_of_the_library_is_that_of_the_program_to_the_byte() {
+    use meshmend::files::{FileRepair, FileTarget, FileWatch};
+    use meshmend::{ReadOptions, WriteOptions};
+
+    for (name, suffix) in [("broken.obj", "ply"), ("soup.stl", "obj"), ("box.glb", "glb"), ("box.glb", "stl")]
+    {
+        let folder = Folder::new();
+        let (input, output) = (example(name), folder.at(&format!("mended.{suffix}")));
+        let printed = meshmend(&["repair", &input, "-o", &output, "--json"]).succeeds().stdout;
+        let written = fs::read(&output).unwrap();
+        let document = meshmend::formats::read_document(input.as_ref(), &ReadOptions::default()).unwrap();
+        let options = WriteOptions::default().with_shell(document.shell.clone()).for_path(output.as_ref());
+        let target = FileTarget::new(output, options);
+        let repaired =
+            FileRepair::default().run(&input, document, Some(&target), &FileWatch::default()).unwrap();
+        assert_eq!(repaired.report_json().unwrap() + "\n", printed);
+        let mut bytes = Vec::new();
+        repaired.prepared().unwrap().encode(&mut bytes).unwrap();
+        assert!(bytes == written, "{name} as {suffix}");
+    }
+}

@@ -198,7 +198,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints.
+//! **Reports** for other programs are made by [`report`]: the same JSON that the command line prints. Whole files, with their parts
+//! and for an output of any format, are repaired by [`files`], as the command line does.
 //!
 //! The parts are whole crates of their own, here under [`mesh`], [`kernels`], [`topology`], [`geometry`], [`spatial`], [`passes`],
 //! [`cutting`], [`edit`], [`formats`] and [`shapes`]; [`matrices`] is a part of [`topology`]. What the main jobs need is also here at
@@ -207,6 +208,7 @@
 mod by_name;
 mod check;
 mod check_options;
+pub mod files;
 mod geometry_questions;
 mod loops;
 mod matrix_questions;

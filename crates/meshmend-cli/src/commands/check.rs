@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use meshmend::files::{FaceNames, PartChoice};
 use meshmend::formats::{Document, Part};
 use meshmend::report::{CheckDocument, Listing, PartsDocument, json};
 use meshmend::topology::Witness;
@@ -13,7 +14,7 @@ use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
 use crate::geometry_words::GeometryWords;
-use crate::parts::{ByWord, PartWords, PlacingWord};
+use crate::parts::{PartWords, PlacingWord};
 use crate::render;
 use crate::streams::{InputWords, as_one_mesh, name};
 use crate::words::{self, Welding};
@@ -132,12 +133,13 @@ impl Check {
             document = as_one_mesh(document, place.into(), path)?.into();
         }
         progress.step(&format!("check {}", name(path)));
-        if let Some(by) = self.parts.by {
+        let parts = self.parts.choice();
+        if let Some(names) = parts.by {
             let options = asked.options.with_view(words::view_of(self.weld, document.format));
-            return self.check_by(by, path, document, (&options, asked));
+            return self.check_by((names, &parts), path, document, (&options, asked));
         }
         let (mut status, mut reports) = (Status::Done, Vec::new());
-        for part in self.parts.chosen(&document)? {
+        for part in parts.chosen(&document)? {
             if document.parts[part].seal().is_some() {
                 reports.push((part, None));
                 continue;
@@ -158,18 +160,18 @@ impl Check {
     /// The reports on the parts of a mesh by the names of its faces.
     fn check_by(
         &self,
-        by: ByWord,
+        (names, parts): (FaceNames, &PartChoice),
         path: &Path,
         document: Document,
         (options, asked): (&CheckOptions, &Asked),
     ) -> Result<CheckedFile, Failure> {
         let name = name(path);
-        let mesh = by.mesh(&document, &name)?;
-        let reports = check_by_name(&mesh, by.layer(), options)
+        let mesh = names.mesh(&document, &name)?;
+        let reports = check_by_name(&mesh, names.layer(), options)
             .map_err(|error| Failure::of_pass(&name, &error))?
-            .ok_or_else(|| by.no_names(&name))?;
-        let document = by.document(document, reports.iter().map(|named| &named.part));
-        let chosen = self.parts.chosen(&document)?;
+            .ok_or_else(|| names.missing(&name))?;
+        let document = names.document(document, reports.iter().map(|named| &named.part));
+        let chosen = parts.chosen(&document)?;
         let (mut status, mut kept) = (Status::Done, Vec::new());
         for (number, named) in
             reports.into_iter().enumerate().filter(|(number, _)| chosen.binary_search(number).is_ok())

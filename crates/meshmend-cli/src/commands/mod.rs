@@ -9,7 +9,6 @@ mod explain;
 #[cfg(feature = "flatten")]
 mod flatten;
 mod incremental;
-mod judging;
 mod kernels;
 #[cfg(not(all(feature = "flatten", feature = "render", feature = "completions")))]
 mod left_out;
@@ -22,10 +21,8 @@ mod pointers;
 #[cfg(feature = "render")]
 mod render;
 mod repair;
-mod repair_parts;
 
 pub(crate) use check::CheckedFile;
-pub(crate) use repair_parts::{PartResult, RepairedFile};
 
 use std::path::PathBuf;
 use std::slice;
@@ -97,7 +94,7 @@ impl Command {
     /// Takes over what the command line says of the options of these passes.
     pub(crate) fn take_policies(&mut self, matches: &ArgMatches, passes: Passes) {
         if let (Command::Repair(command), Some((_, matches))) = (self, matches.subcommand()) {
-            command.policies.take(matches, passes);
+            command.words.policies.take(matches, passes);
         }
     }
 

@@ -1,5 +1,6 @@
 //! Reports on files of several parts: a line each.
 
+use meshmend::files::{PartOutcome, RepairedParts};
 use meshmend::mesh::counted;
 use meshmend::report::CheckDocument;
 use meshmend::{Note, Severity};
@@ -8,7 +9,7 @@ use super::check::{defects, which};
 use super::repair::changes;
 use super::table::{self, Align};
 use super::{Style, kinds_with_counts, paragraph, printable};
-use crate::commands::{CheckedFile, PartResult, RepairedFile};
+use crate::commands::CheckedFile;
 
 /// The reports on the parts of a file, a line each.
 pub(crate) fn checked_parts(checked: &CheckedFile, style: Style) -> String {
@@ -41,30 +42,29 @@ pub(crate) fn checked_parts(checked: &CheckedFile, style: Style) -> String {
 }
 
 /// What a repair did to the parts of a file, a line each.
-pub(crate) fn repaired_parts(repaired: &RepairedFile, style: Style) -> String {
+pub(crate) fn repaired_parts(repaired: &RepairedParts, style: Style) -> String {
     let document = &repaired.document;
     let input = printable(&repaired.name);
     let target = match &repaired.output {
         Some(output) => format!("{input} → {}", printable(output)),
         None => format!("{input}, nothing written"),
     };
-    let is_changed = |result: &&PartResult| matches!(result, PartResult::Repaired(report) if report.changed);
-    let changed = repaired.parts.iter().map(|(_, result)| result).filter(is_changed).count();
+    let reports = repaired.parts.iter().filter_map(|(_, outcome)| outcome.report());
+    let changed = reports.filter(|report| report.changed).count();
     let mut page = format!("{target}: {}, {changed} changed\n", counted(repaired.parts.len(), "part"));
-    let rows = repaired.parts.iter().map(|(part, result)| {
+    let rows = repaired.parts.iter().map(|(part, outcome)| {
         let title = printable(&document.parts[*part].title());
-        let what = match result {
-            PartResult::Repaired(report) => changes(report),
-            PartResult::Sealed(reason) => format!("sealed: {}", printable(reason)),
-            PartResult::GivenBack(reason) => format!("given back as it was: {}", printable(reason)),
+        let what = match outcome {
+            PartOutcome::Repaired { report, .. } => changes(report),
+            PartOutcome::Sealed(reason) => format!("sealed: {}", printable(reason)),
+            PartOutcome::GivenBack(reason) => format!("given back as it was: {}", printable(reason)),
         };
         vec![title, what]
     });
     let lines = table::lines(&rows.collect::<Vec<_>>(), &[Align::Left, Align::Left]);
     page.push_str(&paragraph(&style.heading("parts"), lines));
-    let wrong = repaired.parts.iter().filter_map(|(part, result)| {
-        let PartResult::Repaired(report) = result else { return None };
-        let wrong = defects(report.after.as_ref()?, Severity::Defect);
+    let wrong = repaired.parts.iter().filter_map(|(part, outcome)| {
+        let wrong = defects(outcome.report()?.after.as_ref()?, Severity::Defect);
         let title = printable(&document.parts[*part].title());
         (!wrong.is_empty())
             .then(|| std::iter::once(title).chain(wrong.into_iter().map(|line| format!("  {line}"))))

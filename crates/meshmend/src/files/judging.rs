@@ -1,10 +1,23 @@
 //! What a repair's report says of a mesh before and after.
 
-use meshmend::report::{CheckDocument, RepairDocument};
-use meshmend::{
-    CheckOptions, CheckReport, GeometryMarks, GeometryOptions, PassError, Repaired, Rules, Session, View,
-    check, check_in,
-};
+use meshmend_core::Rules;
+use meshmend_repair::{PassError, Repaired, Session};
+
+use crate::report::{CheckDocument, RepairDocument};
+use crate::{CheckOptions, CheckReport, GeometryMarks, GeometryOptions, View, check, check_in};
+
+/// Which states of a mesh a report on its repair shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Judged {
+    /// That before and that after.
+    #[default]
+    BeforeAndAfter,
+    /// That after.
+    After,
+    /// None; of a file of parts, that after.
+    Neither,
+}
 
 /// How meshes are judged before a repair and after it.
 #[derive(Clone, Copy)]

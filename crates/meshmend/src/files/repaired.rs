@@ -1,0 +1,182 @@
+//! A file that was repaired: its meshes, the report on them, and what is ready to be written.
+
+use meshmend_core::Provenance;
+use meshmend_io::{Document, Loss, ReadFile, WriteError};
+use meshmend_repair::Repaired;
+
+use super::{FileTarget, PreparedFile};
+use crate::report::{PartsDocument, RepairDocument, json};
+
+/// A file that was repaired.
+#[derive(Debug)]
+pub enum RepairedFile {
+    /// It is one mesh.
+    Mesh(Box<RepairedMesh>),
+    /// Its parts were repaired each by itself.
+    Parts(Box<RepairedParts>),
+}
+
+/// A file of one mesh that was repaired.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct RepairedMesh {
+    /// The file as it was read.
+    pub file: ReadFile,
+    /// The mesh as it is now, and the record. The topology of the result is in the report, if that was asked for.
+    pub repaired: Repaired,
+    /// The report.
+    pub report: RepairDocument,
+    /// The mesh ready to be written, if there is a target.
+    pub prepared: Option<PreparedFile>,
+}
+
+/// A file whose parts were repaired each by itself.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct RepairedParts {
+    /// What the file is called.
+    pub name: String,
+    /// What the output is called, if one will be written.
+    pub output: Option<String>,
+    /// The file, with the meshes that its parts have now.
+    pub document: Document,
+    /// What became of the parts that were chosen, by number.
+    pub parts: Vec<(usize, PartOutcome)>,
+    /// What the output does not carry.
+    pub losses: Vec<Loss>,
+    /// The file with its one mesh again, where that was taken apart by the names of its faces.
+    pub whole: Option<Document>,
+    /// The file ready to be written, if there is a target.
+    pub prepared: Option<PreparedFile>,
+}
+
+/// What became of a part.
+#[derive(Debug)]
+pub enum PartOutcome {
+    /// It was repaired.
+    Repaired {
+        /// The report.
+        report: Box<RepairDocument>,
+        /// Where its elements were.
+        provenance: Provenance,
+    },
+    /// It can't be edited, for this reason.
+    Sealed(String),
+    /// It is as it was, as no face would be left of it.
+    GivenBack(String),
+}
+
+impl RepairedFile {
+    /// Whether what is written differs from what was read, apart from the format.
+    pub fn is_changed(&self) -> bool {
+        match self {
+            RepairedFile::Mesh(mesh) => mesh.report.changed,
+            RepairedFile::Parts(parts) => parts.is_changed(),
+        }
+    }
+
+    /// The report as one line of JSON.
+    ///
+    /// # Errors
+    /// When a report can't be written as JSON. None is known that can't.
+    pub fn report_json(&self) -> Result<String, serde_json::Error> {
+        match self {
+            RepairedFile::Mesh(mesh) => json(&mesh.report),
+            RepairedFile::Parts(parts) => json(&parts.document()?),
+        }
+    }
+
+    /// What the output does not carry.
+    pub fn losses(&self) -> &[Loss] {
+        match self {
+            RepairedFile::Mesh(mesh) => &mesh.report.losses,
+            RepairedFile::Parts(parts) => &parts.losses,
+        }
+    }
+
+    /// The reports on the meshes: one, or one for each part that was repaired.
+    pub fn reports(&self) -> Vec<&RepairDocument> {
+        match self {
+            RepairedFile::Mesh(mesh) => vec![&mesh.report],
+            RepairedFile::Parts(parts) => {
+                parts.parts.iter().filter_map(|(_, outcome)| outcome.report()).collect()
+            }
+        }
+    }
+
+    /// What is ready to be written, if there was a target.
+    pub fn prepared(&self) -> Option<&PreparedFile> {
+        match self {
+            RepairedFile::Mesh(mesh) => mesh.prepared.as_ref(),
+            RepairedFile::Parts(parts) => parts.prepared.as_ref(),
+        }
+    }
+
+    /// The result made ready for an output that it was not repaired for. The report does not tell of it; what the output does
+    /// not carry, [`PreparedFile::losses`] tells.
+    ///
+    /// # Errors
+    /// If it can't be written as the target says.
+    ///
+    /// *Cost*: linear.
+    pub fn prepared_for(&self, target: &FileTarget) -> Result<PreparedFile, WriteError> {
+        match self {
+            RepairedFile::Mesh(mesh) => target.prepared(&mesh.repaired.mesh),
+            RepairedFile::Parts(parts) => target.prepared_document(parts.written()),
+        }
+    }
+}
+
+impl RepairedParts {
+    pub(super) fn new(name: &str, document: Document, parts: Vec<(usize, PartOutcome)>) -> Self {
+        let (name, losses) = (name.to_owned(), Vec::new());
+        RepairedParts { name, output: None, document, parts, losses, whole: None, prepared: None }
+    }
+
+    /// The document that is written.
+    pub fn written(&self) -> &Document {
+        self.whole.as_ref().unwrap_or(&self.document)
+    }
+
+    /// Whether a part changed.
+    pub fn is_changed(&self) -> bool {
+        self.parts.iter().any(|(_, outcome)| outcome.report().is_some_and(|report| report.changed))
+    }
+
+    /// All reports as one document.
+    ///
+    /// # Errors
+    /// When a report can't be written as JSON. None is known that can't.
+    pub fn document(&self) -> Result<PartsDocument, serde_json::Error> {
+        let mut together = PartsDocument::default();
+        for (number, outcome) in &self.parts {
+            let part = &self.document.parts[*number];
+            match outcome {
+                PartOutcome::Repaired { report, .. } => together.add(*number, part, report)?,
+                PartOutcome::Sealed(reason) => together.add_without(*number, part, "sealed", reason),
+                PartOutcome::GivenBack(reason) => together.add_without(*number, part, "given_back", reason),
+            }
+        }
+        together.say("changed", &self.is_changed())?;
+        together.say("file", &self.name)?;
+        together.say("output", &self.output)?;
+        together.say("notes", &self.document.notes)?;
+        together.say("losses", &self.losses)?;
+        Ok(together)
+    }
+}
+
+impl PartOutcome {
+    /// The report, if the part was repaired.
+    pub fn report(&self) -> Option<&RepairDocument> {
+        match self {
+            PartOutcome::Repaired { report, .. } => Some(report),
+            PartOutcome::Sealed(_) | PartOutcome::GivenBack(_) => None,
+        }
+    }
+
+    /// Whether it was repaired, and a face is left.
+    pub(super) fn has_faces(&self) -> bool {
+        self.report().is_some_and(|report| report.stored.after.faces > 0)
+    }
+}
