@@ -64,7 +64,7 @@ fn judged(mesh: &PolygonMesh) -> PolygonMesh {
 
 /// The figures of a mesh without the faces that coincide with a lower one.
 fn figures(mesh: &PolygonMesh) -> Map<String, Value> {
-    let found = intersections(&Surface::of(mesh).unwrap(), IntersectionOptions::default());
+    let found = intersections(&Surface::of(mesh).unwrap(), IntersectionOptions::default()).unwrap();
     let coincident = |pair: &&FacePair| pair.contact == Contact::Coincident;
     let left_out: BTreeSet<FaceId> =
         found.pairs.iter().filter(coincident).map(|pair| pair.faces[1]).collect();

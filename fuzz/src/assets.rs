@@ -17,7 +17,7 @@ pub fn gltf(data: &[u8]) {
     let counts = document.parts.iter().map(|part| part.mesh.counts());
     let [faces, corners] =
         counts.fold([0, 0], |[f, c], part| [f + part.faces as u64, c + part.corners as u64]);
-    let read = |limits| read_document_bytes(data, "mesh", &options.with_limits(limits));
+    let read = |limits| read_document_bytes(data, "mesh", &options.clone().with_limits(limits));
     if faces > 0 {
         let error = read(Limits::default().with_max_faces(faces - 1)).expect_err("a limit is exceeded");
         assert!(matches!(error.kind, ReadErrorKind::LimitExceeded { .. }), "{error}");

@@ -33,7 +33,7 @@ pub fn intersections(data: &[u8]) {
 fn found(mesh: &PolygonMesh, budget: Budget) -> Vec<(u32, u32, &'static str, bool)> {
     let surface = Surface::of(mesh).expect("a small mesh has a surface");
     let options = IntersectionOptions { budget, ..IntersectionOptions::default() };
-    let pairs = meshmend_spatial::intersections(&surface, options).pairs;
+    let pairs = meshmend_spatial::intersections(&surface, options).expect("nobody stops it").pairs;
     pairs
         .iter()
         .map(|pair| (pair.faces[0].0, pair.faces[1].0, pair.contact.name(), pair.is_coplanar))

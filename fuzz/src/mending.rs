@@ -1,7 +1,7 @@
 //! Healing and filling never make a mesh worse where positions tell.
 
 use arbitrary::{Arbitrary, Unstructured};
-use meshmend_core::{EdgeTable, PolygonMesh};
+use meshmend_core::{EdgeTable, PolygonMesh, Watch};
 use meshmend_repair::{Context, Fill, Heal, HealWithin, Outcome, Pass, TJunctionFate};
 use meshmend_spatial::{Contact, IntersectionOptions, Surface, intersections, t_junctions};
 
@@ -35,7 +35,7 @@ fn assert_healed(before: &PolygonMesh, healed: &Outcome) {
     let left = |record: &&meshmend_repair::TJunctionRecord| matches!(record.fate, TJunctionFate::Left { .. });
     let named: Vec<_> =
         healed.t_junctions.iter().filter(left).map(|record| (record.vertex, record.ends)).collect();
-    for found in t_junctions(after, 0.0) {
+    for found in t_junctions(after, 0.0, &Watch::NOBODY).expect("nobody stops it") {
         assert!(named.contains(&(found.vertex, found.ends)), "{found:?} is left without a word: {named:?}");
     }
 }
@@ -60,7 +60,7 @@ fn most_sides(edges: &EdgeTable) -> usize {
 /// The pairs of faces that cross.
 fn crossings(mesh: &PolygonMesh) -> Vec<[u32; 2]> {
     let surface = Surface::of(mesh).expect("a small mesh has a surface");
-    let found = intersections(&surface, IntersectionOptions::default()).pairs;
+    let found = intersections(&surface, IntersectionOptions::default()).expect("nobody stops it").pairs;
     let crossing = found.iter().filter(|pair| pair.contact == Contact::FaceFace);
     crossing.map(|pair| pair.faces.map(|face| face.0)).collect()
 }

@@ -13,7 +13,7 @@ use crate::inputs::{Content, FEWEST_FACES, Folder, Form, Input, MOST_FACES, Orde
 use crate::measure::{Part, measure, once};
 use crate::operations::{OPERATIONS, Operation};
 use crate::rows::{Conditions, rows};
-use crate::{ALLOCATOR, instructions, kernels, table};
+use crate::{ALLOCATOR, instructions, kernels, stops, table};
 
 /// Measures what meshmend takes: time, memory and instructions, each in a process of its own
 #[derive(Debug, Parser)]
@@ -24,6 +24,8 @@ pub(crate) enum Command {
     Kernels(Kernels),
     /// Write the inputs to files, and what is right to say of them
     Inputs(Inputs),
+    /// Measure how soon work stops when it is told to, and print a table
+    Stops(Stops),
     /// Name the operations
     List,
     /// Count instructions and compare them with those in a file
@@ -62,6 +64,9 @@ pub(crate) enum Own {
         #[arg(long)]
         runs: NonZeroUsize,
     },
+    /// Watch one piece of work in this process
+    #[command(hide = true)]
+    MeasureStops { work: String, file: PathBuf, scratch: PathBuf },
     /// Do one operation, or prepare it
     #[command(hide = true)]
     Once {
@@ -130,6 +135,22 @@ pub(crate) struct Inputs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct Stops {
+    /// How many faces
+    #[arg(long, default_value = "1000000", value_parser = face_count)]
+    faces: usize,
+    /// In which order vertices and faces are stored
+    #[arg(long, value_enum, default_value = "mesh")]
+    order: Order,
+    /// How many threads
+    #[arg(long, default_value = "1")]
+    threads: NonZeroUsize,
+    /// Keep the inputs in a folder, and use those that are there
+    #[arg(long, value_name = "DIR")]
+    inputs: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Instructions {
     /// The counts
     #[arg(value_name = "FILE")]
@@ -146,6 +167,7 @@ impl Command {
             Command::Run(run) => run.run(),
             Command::Kernels(kernels) => kernels.run(),
             Command::Inputs(inputs) => inputs.run(),
+            Command::Stops(stops) => stops.run(),
             Command::List => OPERATIONS.iter().try_for_each(|operation| print(operation.name)),
             Command::Instructions(instructions) => instructions.run(),
             Command::Chart { from, to } => {
@@ -167,6 +189,9 @@ impl Own {
             }
             Own::MeasureKernel { kernel, file, runs } => {
                 print(&serde_json::to_string(&kernels::measure(kernel, &file, runs.get())?)?)
+            }
+            Own::MeasureStops { work, file, scratch } => {
+                print(&serde_json::to_string(&stops::measure(&work, &file, &scratch)?)?)
             }
             Own::Once { operation, file, scratch, part } => {
                 once(Operation::named(&operation)?, &file, &scratch, part)
@@ -211,6 +236,15 @@ impl Kernels {
             return print(&serde_json::to_string(&trials)?);
         }
         trials.iter().try_for_each(|trials| print(&trials.table()))
+    }
+}
+
+impl Stops {
+    fn run(self) -> Result<(), Failure> {
+        let folder = self.inputs.as_deref().map_or_else(Folder::temporary, Folder::kept)?;
+        print(stops::HEAD)?;
+        let conditions = (self.order, self.faces, self.threads.get());
+        stops::stretches(conditions, &folder, |stretch| print(&stretch.line()))
     }
 }
 

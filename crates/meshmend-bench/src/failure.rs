@@ -31,6 +31,10 @@ pub(crate) enum Failure {
     #[error(transparent)]
     Pass(#[from] PassError),
     #[error(transparent)]
+    Cancelled(#[from] meshmend::mesh::Cancelled),
+    #[error(transparent)]
+    Plan(#[from] meshmend::passes::PlanError),
+    #[error(transparent)]
     Loops(#[from] LoopError),
     #[error(transparent)]
     Refused(#[from] Refusal),

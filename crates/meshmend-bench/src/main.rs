@@ -13,6 +13,7 @@ mod measure;
 mod operations;
 mod random;
 mod rows;
+mod stops;
 mod table;
 
 use std::process::ExitCode;

@@ -141,6 +141,8 @@ impl From<WriteError> for Failure {
 
 #[cfg(test)]
 mod tests {
+    use meshmend::mesh::Cancelled;
+
     use super::*;
 
     #[test]
@@ -165,7 +167,7 @@ mod tests {
         let request = PassError::Request { pass: "weld", reason: "no distance".into() };
         let request = Failure::of_pass("a.obj", &request);
         assert_eq!((request.status, request.message.as_str()), (Status::Usage, "a.obj: weld: no distance"));
-        assert_eq!(Failure::of_pass("a.obj", &PassError::Cancelled).status, Status::Refused);
+        assert_eq!(Failure::of_pass("a.obj", &PassError::Cancelled(Cancelled)).status, Status::Refused);
     }
 
     #[test]

@@ -1,10 +1,14 @@
 //! A bar on a terminal for work that takes more than a second.
 
+use std::ops::ControlFlow;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Mutex, PoisonError};
 use std::thread::{Builder, JoinHandle};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use meshmend::files::PART;
+use meshmend::mesh::Watch;
 
 use crate::render::printable;
 
@@ -14,11 +18,11 @@ const TICK: Duration = Duration::from_millis(100);
 /// How far a command is. It is shown after the first second, if standard error is a terminal.
 pub(crate) struct Progress {
     bar: ProgressBar,
-    watch: Option<Watch>,
+    shown: Option<Shown>,
 }
 
 /// The thread that shows the bar when the time has come.
-struct Watch {
+struct Shown {
     is_done: Sender<()>,
     thread: JoinHandle<()>,
 }
@@ -27,7 +31,7 @@ impl Progress {
     /// The progress of work in so many steps, shown on standard error.
     pub(crate) fn shown(steps: usize) -> Self {
         let mut progress = Progress::hidden(steps);
-        progress.watch = Watch::over(&progress.bar);
+        progress.shown = Shown::over(&progress.bar);
         progress
     }
 
@@ -37,7 +41,7 @@ impl Progress {
         if let Ok(style) = ProgressStyle::with_template("{spinner} {bar:24} {pos}/{len} {msg} {elapsed}") {
             bar.set_style(style);
         }
-        Progress { bar, watch: None }
+        Progress { bar, shown: None }
     }
 
     /// Begins the next step.
@@ -46,15 +50,32 @@ impl Progress {
         self.bar.inc(1);
     }
 
-    /// Begins the step of this place among so many that are counted by themselves.
-    pub(crate) fn step_of(&self, name: &str, place: usize, count: usize) {
-        self.bar.set_length(count as u64);
-        self.bar.set_position(place as u64);
-        self.step(name);
+    /// What begins the next step whenever watched work does. In a file of parts these are the steps.
+    pub(crate) fn watch(&self) -> Watch {
+        let (bar, last) = (self.bar.clone(), Mutex::new(Last { step: "", of_parts: false }));
+        Watch::new(move |at| {
+            let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
+            if at.step == PART {
+                last.of_parts = true;
+                bar.set_length(at.total);
+                bar.set_position(at.done + 1);
+            } else if last.step != at.step {
+                bar.set_message(at.step);
+                bar.inc(u64::from(!last.of_parts));
+            }
+            last.step = at.step;
+            ControlFlow::Continue(())
+        })
     }
 }
 
-impl Watch {
+/// What was told last.
+struct Last {
+    step: &'static str,
+    of_parts: bool,
+}
+
+impl Shown {
     fn over(bar: &ProgressBar) -> Option<Self> {
         let (is_done, done) = channel();
         let bar = bar.clone();
@@ -64,13 +85,13 @@ impl Watch {
                 bar.enable_steady_tick(TICK);
             }
         };
-        Some(Watch { is_done, thread: Builder::new().spawn(show).ok()? })
+        Some(Shown { is_done, thread: Builder::new().spawn(show).ok()? })
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if let Some(Watch { is_done, thread }) = self.watch.take() {
+        if let Some(Shown { is_done, thread }) = self.shown.take() {
             drop(is_done);
             thread.join().ok();
         }

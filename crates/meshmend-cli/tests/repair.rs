@@ -371,7 +371,8 @@ fn a_file_of_the_same_format_is_written_as_it_was_read() {
 /// The library repairs files as the program does, and says the same of it.
 #[test]
 fn the_report_of_the_library_is_that_of_the_program_to_the_byte() {
-    use meshmend::files::{FileRepair, FileTarget, FileWatch};
+    use meshmend::files::{FileRepair, FileTarget};
+    use meshmend::mesh::Watch;
     use meshmend::{ReadOptions, WriteOptions};
 
     for (name, suffix) in [("broken.obj", "ply"), ("soup.stl", "obj"), ("box.glb", "glb"), ("box.glb", "stl")]
@@ -383,8 +384,7 @@ fn the_report_of_the_library_is_that_of_the_program_to_the_byte() {
         let document = meshmend::formats::read_document(input.as_ref(), &ReadOptions::default()).unwrap();
         let options = WriteOptions::default().with_shell(document.shell.clone()).for_path(output.as_ref());
         let target = FileTarget::new(output, options);
-        let repaired =
-            FileRepair::default().run(&input, document, Some(&target), &FileWatch::default()).unwrap();
+        let repaired = FileRepair::default().run(&input, document, Some(&target), &Watch::NOBODY).unwrap();
         assert_eq!(repaired.report_json().unwrap() + "\n", printed);
         let mut bytes = Vec::new();
         repaired.prepared().unwrap().encode(&mut bytes).unwrap();

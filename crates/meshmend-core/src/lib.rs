@@ -34,6 +34,7 @@ mod printable;
 #[cfg(feature = "serde")]
 mod serialized;
 mod threads;
+mod watch;
 mod words;
 
 pub use attributes::{
@@ -61,4 +62,5 @@ pub use kernel::{
 pub use lists::Lists;
 pub use polygon_mesh::{Counts, MeshArrays, MeshError, Metadata, PolygonMesh};
 pub use printable::printable;
+pub use watch::{Cancelled, ITEMS_BETWEEN_LOOKS, Progress, Watch};
 pub use words::counted;

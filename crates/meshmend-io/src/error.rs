@@ -2,13 +2,14 @@
 
 use std::{error, fmt, io};
 
-use meshmend_core::DraftError;
+use meshmend_core::{Cancelled, DraftError};
 use serde::Serialize;
 use thiserror::Error;
 
 use crate::document::TooMuchPlaced;
 use crate::limits::{name_of_limit, too_many};
 use crate::text::one_or_many;
+use crate::watched::cancelled_by;
 use crate::{Encoding, Format};
 
 /// A place in a file.
@@ -77,6 +78,9 @@ pub enum ReadErrorKind {
     /// The system can't read the file.
     #[error("{0}")]
     Io(#[source] io::Error),
+    /// Whoever watches the reading asked to stop.
+    #[error("{0}")]
+    Cancelled(#[from] Cancelled),
     /// The content breaks the rules of its format.
     #[error("{0}")]
     Malformed(String),
@@ -149,7 +153,22 @@ pub enum WriteErrorKind {
     Placed(#[from] TooMuchPlaced),
     /// The system can't write the bytes.
     #[error("{0}")]
-    Io(#[from] io::Error),
+    Io(#[source] io::Error),
+    /// Whoever watches the writing asked to stop.
+    #[error("{0}")]
+    Cancelled(#[from] Cancelled),
+}
+
+impl From<io::Error> for ReadErrorKind {
+    fn from(error: io::Error) -> Self {
+        cancelled_by(&error).map_or_else(|| ReadErrorKind::Io(error), ReadErrorKind::Cancelled)
+    }
+}
+
+impl From<io::Error> for WriteErrorKind {
+    fn from(error: io::Error) -> Self {
+        cancelled_by(&error).map_or_else(|| WriteErrorKind::Io(error), WriteErrorKind::Cancelled)
+    }
 }
 
 fn seam_vertices(count: u64) -> String {
@@ -174,13 +193,18 @@ fn unknown(looks_like: &Option<&str>) -> String {
 #[cfg(test)]
 mod tests {
     use std::error::Error as _;
+    use std::ops::ControlFlow;
     use std::path::Path;
 
-    use meshmend_core::{Carry, Domain, FaceTable, Layer, MAX_CORNERS, PolygonMesh, Values, VertexId};
+    use meshmend_core::{Carry, Domain, FaceTable, Layer, MAX_CORNERS, PolygonMesh, Values, VertexId, Watch};
     use meshmend_testkit::assert_every_variant;
 
     use super::*;
     use crate::{Limits, ReadOptions, Seams, WriteOptions, encode, read, read_bytes, write};
+
+    fn stop() -> Watch {
+        Watch::new(|_| ControlFlow::Break(()))
+    }
 
     fn unread(bytes: &[u8], options: ReadOptions) -> ReadErrorKind {
         read_bytes(bytes, "mesh", &options).unwrap_err().kind
@@ -190,17 +214,22 @@ mod tests {
     fn every_reason_why_a_file_is_not_read_says_what_is_wrong() {
         let unknown = format!("the format is not known; known are {}", Format::names());
         let obj = ReadOptions { format: Some(Format::Obj), ..ReadOptions::default() };
+        let stopped = obj.clone().with_watch(&stop());
         let small = Limits { max_file_bytes: 7, ..Limits::default() };
         let cases = vec![
             (unread(b"hello", ReadOptions::default()), unknown.as_str()),
             (read(Path::new("."), &obj).unwrap_err().kind, "is a directory"),
-            (unread(b"f 1\n", obj), "vertex 1 does not exist: the file has 0 vertices"),
+            (unread(b"f 1\n", stopped), "cancelled"),
+            (unread(b"f 1\n", obj.clone()), "vertex 1 does not exist: the file has 0 vertices"),
             (
                 unread(b"v 0 0 0\n", ReadOptions { limits: small, ..obj }),
                 "8 bytes are more than the limit of 7 (max_file_bytes)",
             ),
         ];
-        assert_every_variant!(cases, ReadErrorKind { UnknownFormat, Io, Malformed, LimitExceeded });
+        assert_every_variant!(
+            cases,
+            ReadErrorKind { UnknownFormat, Io, Cancelled, Malformed, LimitExceeded }
+        );
     }
 
     #[test]
@@ -213,9 +242,11 @@ mod tests {
         let color = Layer::indexed("color", Domain::Corner, 3, Carry::Copy, values, vec![0, 0, 0, 1, 1, 1]);
         let mesh = mesh.with_layers(vec![color.at_home_on_vertices(5)]).unwrap();
         let unwritten = |options| encode(&mesh, &options, &mut io::sink()).unwrap_err().kind;
+        let stopped = WriteOptions::of(Format::Obj).with_watch(&stop());
         let big = WriteOptions::of(Format::Obj).with_encoding(Encoding::BigEndian);
         let cases = vec![
             (unwritten(WriteOptions::default()), unknown.as_str()),
+            (unwritten(stopped), "cancelled"),
             (unwritten(big), "OBJ has no encoding `big-endian`"),
             (
                 write(Path::new("."), &mesh, &WriteOptions::of(Format::Off)).unwrap_err().kind,
@@ -240,7 +271,16 @@ mod tests {
         ];
         assert_every_variant!(
             cases,
-            WriteErrorKind { UnknownFormat, NoSuchEncoding, Seams, Occupied, TooLarge, Placed, Io }
+            WriteErrorKind {
+                UnknownFormat,
+                NoSuchEncoding,
+                Seams,
+                Occupied,
+                TooLarge,
+                Placed,
+                Io,
+                Cancelled
+            }
         );
     }
 

@@ -40,6 +40,7 @@ mod paths;
 mod read;
 mod shell;
 mod text;
+mod watched;
 mod write;
 
 pub use document::{

@@ -11,6 +11,7 @@ use crate::input::folder::Folder;
 use crate::input::source::{Parsed, Source};
 use crate::limits::STREAM_BYTES;
 use crate::text::speculative_parse::Pace;
+use crate::watched::WatchedRead;
 use crate::{Document, Format, Limits, NoteKind, Place, ReadError, ReadErrorKind, ReadFile, ReadOptions};
 
 /// Reads a mesh file. Its content decides on the format if it is unmistakable; else its name does.
@@ -36,12 +37,10 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadFile, ReadError> {
 pub fn read_document(path: &Path, options: &ReadOptions) -> Result<Document, ReadError> {
     let (name, limits) = (path.display().to_string(), &options.limits);
     let failed = |kind| ReadError { file: name.clone(), place: Place::File, kind };
-    let (mut file, announced) = open(path, limits).map_err(failed)?;
+    let (file, announced) = open(path, limits).map_err(failed)?;
+    let mut file = WatchedRead::new(file, &options.watch, announced);
     let mut bytes = Vec::with_capacity(HEAD.min(announced));
-    file.by_ref()
-        .take(HEAD as u64)
-        .read_to_end(&mut bytes)
-        .map_err(|error| failed(ReadErrorKind::Io(error)))?;
+    file.by_ref().take(HEAD as u64).read_to_end(&mut bytes).map_err(|error| failed(error.into()))?;
     let folder = Folder::of(path);
     if bytes.len() == HEAD && announced > HEAD {
         let told = Told::of(options.format, path, &bytes, announced as u64).map_err(failed)?;
@@ -51,6 +50,7 @@ pub fn read_document(path: &Path, options: &ReadOptions) -> Result<Document, Rea
             name: &name,
             pace: Pace::NONE,
             folder: folder.as_ref(),
+            watch: &options.watch,
         };
         if let Some(parsed) = (driver(told.format).read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
             return told.outcome(parsed);
@@ -103,6 +103,7 @@ pub fn read_document_stream(
     options: &ReadOptions,
 ) -> Result<Document, ReadError> {
     let failed = |kind| ReadError { file: name.to_owned(), place: Place::File, kind };
+    let from = WatchedRead::new(from, &options.watch, 0);
     let bytes = take_in(Vec::new(), from, 0, Most::of(0, &options.limits)).map_err(failed)?;
     read_document_bytes(&bytes, name, options)
 }
@@ -132,7 +133,8 @@ struct Named<'a> {
 
 fn read_as(bytes: &[u8], named: Named<'_>, options: &ReadOptions) -> Result<Document, ReadError> {
     let (limits, Named { name, path, folder }) = (&options.limits, named);
-    let source = Source { bytes, length: bytes.len(), name, pace: Pace::of(bytes.len()), folder };
+    let pace = Pace::of(bytes.len());
+    let source = Source { bytes, length: bytes.len(), name, pace, folder, watch: &options.watch };
     source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
     let told = Told::of(options.format, path, bytes, bytes.len() as u64);
     let told = told.map_err(|kind| ReadError { file: name.to_owned(), place: Place::File, kind })?;
@@ -240,7 +242,7 @@ fn take_in(
     let too_large = |_| ReadErrorKind::Io(io::Error::from(io::ErrorKind::OutOfMemory));
     bytes.try_reserve_exact(announced.saturating_sub(bytes.len()).saturating_add(1)).map_err(too_large)?;
     let room = limit.saturating_sub(bytes.len() as u64).saturating_add(1);
-    from.take(room).read_to_end(&mut bytes).map_err(ReadErrorKind::Io)?;
+    from.take(room).read_to_end(&mut bytes)?;
     let found = bytes.len() as u64;
     if found > limit { Err(ReadErrorKind::LimitExceeded { what, found, limit }) } else { Ok(bytes) }
 }

@@ -3,14 +3,13 @@
 use std::any::Any;
 use std::borrow::Cow;
 use std::fmt;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use meshmend_core::{
-    Connectivity, Defect, DefectKind, Differences, DraftError, FaceId, FaceTableError, PolygonMesh,
-    Provenance, Refusal,
+    Cancelled, Connectivity, Defect, DefectKind, Differences, DraftError, FaceId, FaceTableError,
+    PolygonMesh, Provenance, Refusal, Watch,
 };
 use meshmend_kernels::{KernelKind, KernelTask};
-use meshmend_topology::{TopologyReport, Witness, topology_with};
+use meshmend_topology::{TopologyReport, Witness, topology_watched};
 use thiserror::Error;
 
 use crate::sewing::KeptSewing;
@@ -141,9 +140,9 @@ pub enum PassError {
     /// No face would be left of a mesh that has some.
     #[error(transparent)]
     Emptied(#[from] Emptied),
-    /// The caller asked to stop.
-    #[error("cancelled")]
-    Cancelled,
+    /// Whoever watches the work asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// A postcondition does not hold: a mistake of this program.
     #[error("{pass} broke its promise, which is a mistake of this program: {defect}")]
     Promise {
@@ -183,7 +182,8 @@ pub struct Context<'a> {
     pub(crate) kernel: KernelKind,
     /// What was done to the mesh before, if it is not as stored.
     pub(crate) history: Option<&'a History>,
-    pub(crate) cancel: Option<&'a AtomicBool>,
+    /// Who watches the work, and what it is called to them.
+    pub(crate) watch: Option<(&'a Watch, &'static str)>,
     /// The topology of the mesh, if it is known already. Only a session knows it.
     pub(crate) known: Option<&'a TopologyReport>,
     /// What created vertices keep clear of.
@@ -239,8 +239,19 @@ impl<'a> Context<'a> {
     pub fn topology(&self, mesh: &PolygonMesh) -> Result<Cow<'a, TopologyReport>, PassError> {
         match self.known {
             Some(known) => Ok(Cow::Borrowed(known)),
-            None => Ok(Cow::Owned(topology_on(self.kernel, mesh, Witness::default())?)),
+            None => Ok(Cow::Owned(topology_on(self.kernel, mesh, Witness::default(), self.watch())?)),
         }
+    }
+
+    /// The context of work that somebody watches.
+    pub fn with_watch(self, watch: &'a Watch, step: &'static str) -> Self {
+        Context { watch: Some((watch, step)), ..self }
+    }
+
+    /// Who watches the work.
+    pub fn watch(&self) -> &'a Watch {
+        const NOBODY: &Watch = &Watch::NOBODY;
+        self.watch.map_or(NOBODY, |(watch, _)| watch)
     }
 
     /// Fails when the caller has asked to stop. Passes call it between their steps.
@@ -248,9 +259,18 @@ impl<'a> Context<'a> {
     /// # Errors
     /// [`PassError::Cancelled`].
     pub fn check_cancelled(&self) -> Result<(), PassError> {
-        match self.cancel {
-            Some(cancel) if cancel.load(Ordering::Relaxed) => Err(PassError::Cancelled),
-            _ => Ok(()),
+        self.look(0, 0)
+    }
+
+    /// Says how far the pass is, and fails when the caller has asked to stop. Passes call it within long steps, at least every
+    /// [`ITEMS_BETWEEN_LOOKS`](meshmend_core::ITEMS_BETWEEN_LOOKS) elements.
+    ///
+    /// # Errors
+    /// [`PassError::Cancelled`].
+    pub fn look(&self, done: usize, total: usize) -> Result<(), PassError> {
+        match self.watch {
+            Some((watch, step)) => Ok(watch.look(step, done, total)?),
+            None => Ok(()),
         }
     }
 }
@@ -260,19 +280,24 @@ pub(crate) fn topology_on(
     kernel: KernelKind,
     mesh: &PolygonMesh,
     witness: Witness,
+    watch: &Watch,
 ) -> Result<TopologyReport, PassError> {
-    Ok(kernel.run(mesh.complex(), Analyse { mesh, witness })?)
+    watch.look("topology", 0, 0)?;
+    let complex = mesh.complex();
+    watch.look("topology", 0, 0)?;
+    Ok(kernel.run(complex, Analyse { mesh, witness, watch })??)
 }
 
 struct Analyse<'a> {
     mesh: &'a PolygonMesh,
     witness: Witness,
+    watch: &'a Watch,
 }
 
 impl KernelTask for Analyse<'_> {
-    type Output = TopologyReport;
-    fn run<K: Connectivity>(self, kernel: &K) -> TopologyReport {
-        topology_with(kernel, self.mesh, self.witness)
+    type Output = Result<TopologyReport, Cancelled>;
+    fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
+        topology_watched(kernel, self.mesh, self.witness, self.watch)
     }
 }
 

@@ -216,7 +216,7 @@ impl Pipeline {
     ///
     /// # Errors
     /// As [`run`](Self::run), when the kernel can't hold the mesh, and when cancelled.
-    pub fn run_in(&self, mut session: Session<'_>) -> Result<Repaired, PassError> {
+    pub fn run_in(&self, mut session: Session) -> Result<Repaired, PassError> {
         let rounded = self.rounded(session.stored());
         let has_faces = session.stored().counts().faces > 0;
         let begun = session.applied().len();
@@ -228,7 +228,6 @@ impl Pipeline {
         let mut left = self.passes.as_slice();
         if is_begun {
             left = &left[begun..];
-            session.applied().to_vec().iter().for_each(|pass| session.tell(pass.kind()));
         } else {
             session = session.anew(rounded);
         }
@@ -246,7 +245,7 @@ impl Pipeline {
     fn run_round<'p>(
         &self,
         passes: impl IntoIterator<Item = &'p AnyPass>,
-        session: &mut Session<'_>,
+        session: &mut Session,
     ) -> Result<(), PassError> {
         let has_faces = session.stored().counts().faces > 0;
         session.reach_to(self.tolerance_after_split(session.mesh()));
@@ -266,11 +265,10 @@ impl Pipeline {
     /// Orients what was healed and heals it again, in turn, until one of both changes nothing.
     ///
     /// Faces that are neighbours now may run against each other, and where patches that repeat others go, edges are open anew.
-    fn heal_further(&self, heal: &Heal, session: &mut Session<'_>) -> Result<(), PassError> {
+    fn heal_further(&self, heal: &Heal, session: &mut Session) -> Result<(), PassError> {
         let is_orient = |pass: &&AnyPass| pass.kind() == PassKind::Orient;
         let Some(orient) = self.passes.iter().find(is_orient) else { return Ok(()) };
-        let has_changed =
-            |session: &Session<'_>| session.records().last().is_some_and(|last| last.is_changed);
+        let has_changed = |session: &Session| session.records().last().is_some_and(|last| last.is_changed);
         while has_changed(session) {
             session.apply(orient.clone())?;
             if has_changed(session) {

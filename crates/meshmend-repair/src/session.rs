@@ -3,9 +3,8 @@
 mod finish;
 
 use std::fmt;
-use std::sync::atomic::AtomicBool;
 
-use meshmend_core::{Defect, DefectKind, Differences, FaceId, PolygonMesh, Provenance, VertexId};
+use meshmend_core::{Defect, DefectKind, Differences, FaceId, PolygonMesh, Provenance, VertexId, Watch};
 use meshmend_geometry::rounding::Rounding;
 use meshmend_kernels::KernelKind;
 use meshmend_topology::{TopologyReport, Witness};
@@ -38,7 +37,7 @@ use crate::{
 /// assert_eq!(repaired.mesh.positions().len(), 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Session<'a> {
+pub struct Session {
     mesh: PolygonMesh,
     history: History,
     /// What a pass made of the mesh that moved vertices, and all that was done since: later passes take that for the mesh as
@@ -50,8 +49,7 @@ pub struct Session<'a> {
     sewing: KeptSewing,
     kernel: KernelKind,
     witness: Witness,
-    progress: Option<Box<dyn FnMut(PassKind) + 'a>>,
-    cancel: Option<&'a AtomicBool>,
+    watch: Watch,
     takes_figures: bool,
     aim: Aim,
     /// The passes that were applied, in order.
@@ -91,7 +89,7 @@ pub enum Looked {
     Before,
 }
 
-impl fmt::Debug for Session<'_> {
+impl fmt::Debug for Session {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Session")
             .field("mesh", &self.mesh.counts())
@@ -100,7 +98,7 @@ impl fmt::Debug for Session<'_> {
     }
 }
 
-impl<'a> Session<'a> {
+impl Session {
     /// A session with a mesh to which no pass was applied yet.
     pub fn begin(stored: &PolygonMesh) -> Self {
         Session {
@@ -112,8 +110,7 @@ impl<'a> Session<'a> {
             sewing: KeptSewing::default(),
             kernel: KernelKind::default(),
             witness: Witness::default(),
-            progress: None,
-            cancel: None,
+            watch: Watch::NOBODY,
             takes_figures: false,
             aim: Aim::default(),
             applied: Vec::new(),
@@ -143,16 +140,15 @@ impl<'a> Session<'a> {
         Session { witness, topology, ..self }
     }
 
-    /// The session telling `observe` which pass begins.
+    /// The session watched by somebody: told how far it is, pass by pass, and stopped by [`PassError::Cancelled`] if they say so.
     #[must_use]
-    pub fn with_progress(self, observe: impl FnMut(PassKind) + 'a) -> Self {
-        Session { progress: Some(Box::new(observe)), ..self }
+    pub fn with_watch(self, watch: &Watch) -> Self {
+        Session { watch: watch.clone(), ..self }
     }
 
-    /// The session failing with [`PassError::Cancelled`] once another thread has set this.
-    #[must_use]
-    pub fn with_cancel(self, cancel: &'a AtomicBool) -> Self {
-        Session { cancel: Some(cancel), ..self }
+    /// Who watches the session.
+    pub fn watch(&self) -> &Watch {
+        &self.watch
     }
 
     /// The session taking χ, components and boundary loops before and after each pass that changes something.
@@ -161,12 +157,12 @@ impl<'a> Session<'a> {
         Session { takes_figures: true, ..self }
     }
 
-    /// Another session with the same choices, with another mesh and no pass applied yet. It reports no progress.
-    pub(crate) fn another(&self, stored: &PolygonMesh) -> Session<'a> {
+    /// Another session with the same choices, with another mesh and no pass applied yet.
+    pub(crate) fn another(&self, stored: &PolygonMesh) -> Session {
         Session {
             kernel: self.kernel,
             witness: self.witness,
-            cancel: self.cancel,
+            watch: self.watch.clone(),
             takes_figures: self.takes_figures,
             moved: self.moved,
             aim: self.aim.clone(),
@@ -175,13 +171,12 @@ impl<'a> Session<'a> {
     }
 
     /// The session begun anew, with the mesh as stored or as rounding made it.
-    pub(crate) fn anew(mut self, rounded: Option<(PolygonMesh, Rounding)>) -> Self {
-        let progress = self.progress.take();
+    pub(crate) fn anew(self, rounded: Option<(PolygonMesh, Rounding)>) -> Self {
         let (stored, rounding) = match rounded {
             Some((mesh, rounding)) => (mesh, Some(rounding)),
             None => (self.stored().clone(), None),
         };
-        Session { progress, rounding, moved: 0.0, ..self.another(&stored) }
+        Session { rounding, moved: 0.0, ..self.another(&stored) }
     }
 
     /// Applies a pass.
@@ -190,24 +185,17 @@ impl<'a> Session<'a> {
     /// When a policy says so, the kernel can't hold the mesh, or the work was cancelled. The mesh is then as it was.
     pub fn apply(&mut self, pass: impl Into<AnyPass>) -> Result<&PassRecord, PassError> {
         let pass = pass.into();
-        self.tell(pass.kind());
         let repair = pass.as_pass();
         self.reach_to(repair.tolerance_on(&self.mesh));
-        self.context().check_cancelled()?;
+        self.context(repair.name()).check_cancelled()?;
         let looked = if repair.looks_at_topology() { Some(self.look()?) } else { None };
-        let outcome = repair.apply(&self.mesh, &self.context())?;
+        let outcome = repair.apply(&self.mesh, &self.context(repair.name()))?;
         self.record(pass, outcome, looked)
     }
 
     /// Records a pass as one that found nothing to do.
     pub(crate) fn skip(&mut self, pass: &AnyPass) -> Result<(), PassError> {
-        self.tell(pass.kind());
         self.record(pass.clone(), Outcome::unchanged(&self.mesh), None).map(|_| ())
-    }
-
-    /// Reports which pass begins.
-    pub(crate) fn tell(&mut self, pass: PassKind) {
-        self.progress.iter_mut().for_each(|observe| observe(pass));
     }
 
     /// Sets what the result is made for. How the mesh is sewn is found out again: other layers may tell faces apart.
@@ -230,7 +218,7 @@ impl<'a> Session<'a> {
     pub fn topology(&mut self) -> Result<&TopologyReport, PassError> {
         let known = match self.topology.take() {
             Some(known) => known,
-            None => Box::new(topology_on(self.kernel, &self.mesh, self.witness)?),
+            None => Box::new(topology_on(self.kernel, &self.mesh, self.witness, &self.watch)?),
         };
         Ok(self.topology.insert(known))
     }
@@ -241,11 +229,11 @@ impl<'a> Session<'a> {
         Ok(looked)
     }
 
-    fn context(&self) -> Context<'_> {
+    fn context(&self, step: &'static str) -> Context<'_> {
         Context {
             kernel: self.kernel,
             history: Some(self.since_moved.as_ref().unwrap_or(&self.history)),
-            cancel: self.cancel,
+            watch: Some((&self.watch, step)),
             known: self.topology.as_deref(),
             clearance: Clearance { tolerance: self.tolerance, ..self.aim.clearance },
             telling: self.aim.telling.as_deref().map_or(TellingLayers::All, TellingLayers::Only),
@@ -342,7 +330,7 @@ impl<'a> Session<'a> {
     }
 
     /// Takes over what one more round did to the mesh as it was read again.
-    pub(crate) fn follow(&mut self, (read, reading): (&PolygonMesh, &Provenance), next: Session<'_>) {
+    pub(crate) fn follow(&mut self, (read, reading): (&PolygonMesh, &Provenance), next: Session) {
         let history = self.history.extended(reading, read);
         let as_stored = |removed: RemovedFace| {
             Some(RemovedFace { face: history.provenance().faces.of(removed.face)?, ..removed })

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops where it fails")]
 
-use meshmend_core::{Carry, DefectKind, Domain, Layer, PolygonMesh, Values};
+use meshmend_core::{Carry, DefectKind, Domain, Layer, PolygonMesh, Values, Watch};
 use meshmend_repair::{
     Context, Heal, HealWithin, Outcome, Pass, PassKind, Pipeline, Repaired, TJunctionFate,
 };
@@ -53,7 +53,7 @@ fn triangles_stay_triangles_and_none_loses_its_area() {
     let repaired = repaired(&over_two(0.0, LOWER), HealWithin::Exact);
     assert!(repaired.mesh.faces().is_all_triangles());
     assert_eq!((repaired.mesh.counts().faces, boundary_edges(&repaired.mesh)), (4, 4));
-    assert!(t_junctions(&repaired.mesh, 0.0).is_empty());
+    assert!(t_junctions(&repaired.mesh, 0.0, &Watch::NOBODY).unwrap().is_empty());
     assert!(shapes(&repaired.mesh, 1000.0).zero_area.is_empty());
 }
 
@@ -141,9 +141,9 @@ fn strips_of_different_fineness_are_sewn_together() {
         }
     }
     let mesh = PolygonMesh::from_triangles(&points, &faces).unwrap();
-    let on = t_junctions(&mesh, 0.0);
+    let on = t_junctions(&mesh, 0.0, &Watch::NOBODY).unwrap();
     let repaired = repaired(&mesh, HealWithin::Exact);
-    assert!(!on.is_empty() && t_junctions(&repaired.mesh, 0.0).is_empty());
+    assert!(!on.is_empty() && t_junctions(&repaired.mesh, 0.0, &Watch::NOBODY).unwrap().is_empty());
     // Both rims, and the ends of the strips.
     assert_eq!(boundary_edges(&repaired.mesh), (fine + coarse + 4) as usize);
     let topology = repaired.topology.as_ref().unwrap();

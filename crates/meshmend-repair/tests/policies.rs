@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test stops where it fails")]
 
 use std::collections::BTreeSet;
+use std::ops::ControlFlow;
 
-use meshmend_core::{Carry, Domain, FaceId, Layer, Values, VertexId};
+use meshmend_core::{Carry, Domain, FaceId, Layer, Values, VertexId, Watch};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{
     Duplicates, Emptying, LooseElements, NonFinite, NonOrientable, PassError, PassKind, Pipeline, Plan,
@@ -216,8 +217,8 @@ fn counts_alone_do_not_say_that_nothing_changed() {
 
 #[test]
 fn a_cancelled_pipeline_stops() {
-    let cancel = std::sync::atomic::AtomicBool::new(true);
+    let stop = Watch::new(|_| ControlFlow::Break(()));
     let soup = Soup::generic(3, [[0, 1, 2]]);
-    let result = Pipeline::default().run_in(Session::begin(&soup.mesh()).with_cancel(&cancel));
-    assert!(matches!(result, Err(PassError::Cancelled)));
+    let result = Pipeline::default().run_in(Session::begin(&soup.mesh()).with_watch(&stop));
+    assert!(matches!(result, Err(PassError::Cancelled(_))));
 }

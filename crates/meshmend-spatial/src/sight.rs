@@ -240,7 +240,7 @@ mod tests {
         let points: Vec<Point> = (0..8).map(at).collect();
         let starts: Vec<u32> = (0..=faces.len() as u32).map(|face| 4 * face).collect();
         let mesh = PolygonMesh::from_polygons(&points, &faces.concat(), &starts).unwrap();
-        let nesting = nesting(&Surface::of(&mesh).unwrap());
+        let nesting = nesting(&Surface::of(&mesh).unwrap()).unwrap();
         let asked: Vec<usize> = (0..nesting.components.len()).collect();
         fronts(&mesh, &nesting, &asked).unwrap()
     }

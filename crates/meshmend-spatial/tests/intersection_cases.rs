@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 fn intersections_are_those_of_the_cases() {
     for (case, mesh) in shared::cases("intersections") {
         let surface = Surface::of(&mesh).unwrap();
-        let found = intersections(&surface, IntersectionOptions::default());
+        let found = intersections(&surface, IntersectionOptions::default()).unwrap();
         let pairs: Vec<Value> = found
             .pairs
             .iter()

@@ -23,7 +23,7 @@ fn two_tori() -> PolygonMesh {
 
 fn found(mesh: &PolygonMesh, threads: usize, options: IntersectionOptions) -> Intersections {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    pool.install(|| intersections(&Surface::of(mesh).unwrap(), options))
+    pool.install(|| intersections(&Surface::of(mesh).unwrap(), options).unwrap())
 }
 
 #[test]

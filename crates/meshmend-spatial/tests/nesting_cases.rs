@@ -8,7 +8,7 @@ use serde_json::json;
 #[test]
 fn components_are_nested_as_in_the_cases() {
     for (case, mesh) in shared::cases("nesting") {
-        let found = nesting(&Surface::of(&mesh).unwrap()).components;
+        let found = nesting(&Surface::of(&mesh).unwrap()).unwrap().components;
         let states: Vec<_> = found.iter().map(|part| part.state.map(NestingState::name)).collect();
         let depths: Vec<_> = found.iter().map(|part| part.depth).collect();
         let answer = json!({ "states": states, "depths": depths });

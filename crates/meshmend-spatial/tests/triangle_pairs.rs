@@ -30,7 +30,7 @@ fn rows() -> impl Iterator<Item = Row> {
 fn meeting(corners: &[[f64; 3]], faces: [[u32; 3]; 2]) -> Option<(&'static str, bool)> {
     let mesh = PolygonMesh::from_triangles(corners, &faces).unwrap();
     let surface = Surface::of(&mesh).unwrap();
-    let found = intersections(&surface, IntersectionOptions::default());
+    let found = intersections(&surface, IntersectionOptions::default()).unwrap();
     let contacts: Vec<Option<Contact>> = found.contacts.values().to_vec();
     assert!(contacts.iter().all(|&contact| contact == found.pairs.first().map(|pair| pair.contact)));
     found.pairs.first().map(|pair| (pair.contact.name(), pair.is_coplanar))

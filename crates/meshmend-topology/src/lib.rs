@@ -53,7 +53,7 @@ pub use orientation::{
 };
 pub use report::{
     DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness, topology,
-    topology_with,
+    topology_watched,
 };
 pub use surfaces::{
     BoundaryLoops, ComponentFacts, ComponentKind, Components, GluingWord, Letter, Permutations, Surface,

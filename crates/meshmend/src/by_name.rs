@@ -33,7 +33,7 @@ pub fn check_by_name(
     let mut session = Session::begin(mesh);
     let (whole, sources) = viewed(&mut session, options.view)?;
     let Some(parts) = named_parts(&whole, layer)? else { return Ok(None) };
-    let by_index = options.with_view(View::Indexed);
+    let by_index = options.clone().with_view(View::Indexed);
     let report = |part: NamedPart| Ok((check(&part.mesh, &by_index)?, part));
     let mut reports = parts.into_iter().map(report).collect::<Result<Vec<_>, PassError>>()?;
     let shared = shared_sides(&whole, &reports);

@@ -5,6 +5,7 @@ use std::iter;
 
 use meshmend_core::{
     Defect, DefectKind, Defects, FaceId, Found, Listed, PolygonMesh, Rules, Severity, Sources, VertexId,
+    Watch,
 };
 use meshmend_geometry::coincident::{Coincidence, equal_in_pose};
 use meshmend_repair::{Distance, PassError, Session, Weld};
@@ -82,13 +83,13 @@ pub struct KernelVerdict {
 /// *Cost*: near-linear, with questions about geometry that of [`GeometryReport::of`]; but for shortest witnesses, which cost what
 /// [`one_sided_loops`](meshmend_topology::one_sided_loops) does; one sort of the positions to tell what welding would join.
 pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, PassError> {
-    let mut session = Session::begin(mesh);
+    let mut session = Session::begin(mesh).with_watch(&options.watch);
     let mesh = viewed(&mut session, options.view)?;
-    let topology = options.kernel.topology(&mesh.0, options.witness)?;
+    let topology = options.kernel.topology(&mesh.0, options.witness, &options.watch)?;
     let stored = StoredCounts::of(session.stored());
     let report = CheckReport::new(options.view, stored, mesh, topology, options.rules, options.kernels);
     match &options.geometry {
-        Some(asked) => report.with_geometry(asked),
+        Some(asked) => report.with_geometry(asked, &options.watch),
         None => Ok(report),
     }
 }
@@ -108,7 +109,7 @@ pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, 
 ///
 /// # Errors
 /// As [`check`].
-pub fn check_in(session: &mut Session<'_>, view: View, rules: Rules) -> Result<CheckReport, PassError> {
+pub fn check_in(session: &mut Session, view: View, rules: Rules) -> Result<CheckReport, PassError> {
     let mesh = viewed(session, view)?;
     let topology = session.topology()?.clone();
     Ok(CheckReport::new(view, StoredCounts::of(session.stored()), mesh, topology, rules, Kernels::builtin()))
@@ -116,7 +117,7 @@ pub fn check_in(session: &mut Session<'_>, view: View, rules: Rules) -> Result<C
 
 /// The mesh of a session that has just begun, in a view, and of each of its vertices the stored one.
 pub(crate) fn viewed(
-    session: &mut Session<'_>,
+    session: &mut Session,
     view: View,
 ) -> Result<(PolygonMesh, Sources<VertexId>), PassError> {
     if let Some(distance) = view.distance() {
@@ -132,8 +133,8 @@ impl CheckReport {
     /// As [`GeometryReport::of`].
     ///
     /// *Cost*: that of [`GeometryReport::of`].
-    pub fn with_geometry(self, asked: &GeometryOptions) -> Result<Self, PassError> {
-        let geometry = Some(GeometryReport::of(&self.mesh, asked)?);
+    pub fn with_geometry(self, asked: &GeometryOptions, watch: &Watch) -> Result<Self, PassError> {
+        let geometry = Some(GeometryReport::of(&self.mesh, asked, watch)?);
         Ok(CheckReport { geometry, ..self })
     }
 

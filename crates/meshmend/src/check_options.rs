@@ -1,13 +1,13 @@
 //! How a mesh is checked.
 
-use meshmend_core::Rules;
+use meshmend_core::{Rules, Watch};
 use meshmend_topology::Witness;
 
 use crate::geometry_questions::GeometryOptions;
 use crate::{AnyKernel, Kernels, View};
 
 /// How to check.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct CheckOptions {
     /// Whether the mesh is judged as stored or as welded.
@@ -22,6 +22,8 @@ pub struct CheckOptions {
     pub rules: Rules,
     /// What is asked about where the faces lie, if anything is.
     pub geometry: Option<GeometryOptions>,
+    /// Who watches, and may stop it.
+    pub watch: Watch,
 }
 
 impl CheckOptions {
@@ -55,9 +57,15 @@ impl CheckOptions {
         CheckOptions { rules, ..self }
     }
 
-    /// These options with questions about where the faces lie.
+    /// These options with questions about where the faces lie; with `None` nothing is asked about that.
     #[must_use]
-    pub fn with_geometry(self, geometry: GeometryOptions) -> Self {
-        CheckOptions { geometry: Some(geometry), ..self }
+    pub fn with_geometry(self, geometry: impl Into<Option<GeometryOptions>>) -> Self {
+        CheckOptions { geometry: geometry.into(), ..self }
+    }
+
+    /// These options for a check that is watched.
+    #[must_use]
+    pub fn with_watch(self, watch: &Watch) -> Self {
+        CheckOptions { watch: watch.clone(), ..self }
     }
 }

@@ -16,7 +16,7 @@ const LISTED: usize = 100;
 pub(super) fn intersections(mesh: &PolygonMesh) -> Result<Answer, Failure> {
     let surface = Surface::of(mesh)?;
     let options = IntersectionOptions { limit: LISTED, ..IntersectionOptions::default() };
-    let found = intersecting(&surface, options);
+    let found = intersecting(&surface, options)?;
     Ok(Box::new(move || {
         let count = found.figures.map_or(u64::MAX, |figures| figures.crossing_faces as u64);
         Ok(figures([("crossing_faces", count)]))

@@ -88,7 +88,7 @@ impl Check {
             .with_witness(self.witness.into())
             .with_rules(program.rules);
         let geometry = self.geometry.options(&fail_on, self.limit)?;
-        let options = geometry.map_or(options, |geometry| options.with_geometry(geometry));
+        let options = options.with_geometry(geometry);
         let asked = Asked { options, fail_on };
         let (mut status, mut rows) = (Status::Done, Vec::new());
         for (place, file) in self.files.iter().enumerate() {
@@ -135,7 +135,7 @@ impl Check {
         progress.step(&format!("check {}", name(path)));
         let parts = self.parts.choice();
         if let Some(names) = parts.by {
-            let options = asked.options.with_view(words::view_of(self.weld, document.format));
+            let options = asked.options.clone().with_view(words::view_of(self.weld, document.format));
             return self.check_by((names, &parts), path, document, (&options, asked));
         }
         let (mut status, mut reports) = (Status::Done, Vec::new());
@@ -145,7 +145,7 @@ impl Check {
                 continue;
             }
             let usual = View::usual_for_part(document.format, &document.parts[part]);
-            let options = asked.options.with_view(self.weld.map_or(usual, Welding::view));
+            let options = asked.options.clone().with_view(self.weld.map_or(usual, Welding::view));
             let report = check(&document.parts[part].mesh, &options)
                 .map_err(|error| Failure::of_pass(&name(path), &error))?;
             let fail_on = asked.failing_kinds(&document.parts[part]);

@@ -128,7 +128,7 @@ impl Explain {
     ) -> Result<CheckReport, Failure> {
         let geometry = |question| GeometryOptions::default().asking(std::iter::once(question).collect());
         let options = CheckOptions::default().with_rules(program.rules);
-        let options = question.map_or(options, |question| options.with_geometry(geometry(question)));
+        let options = options.with_geometry(question.map(geometry));
         check(&self.mesh(path, console)?, &options).map_err(|error| Failure::of_pass(&name(path), &error))
     }
 

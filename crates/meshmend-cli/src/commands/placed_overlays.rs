@@ -1,6 +1,6 @@
 //! What positions tell of a mesh, as overlays of a picture.
 
-use meshmend::mesh::{Defect, EdgeId, Element, FaceId, VertexId};
+use meshmend::mesh::{Defect, EdgeId, Element, FaceId, VertexId, Watch};
 use meshmend::spatial::LoopKind;
 use meshmend::{DefectKind, GeometryOptions, GeometryReport, PolygonMesh, Question};
 use meshmend_render::{Overlay, Placed};
@@ -13,7 +13,7 @@ pub(super) fn placed_overlays(mesh: &PolygonMesh, asked: &[Placed]) -> Result<Ve
         return Ok(Vec::new());
     }
     let questions = asked.iter().map(|&what| question(what)).collect();
-    let report = GeometryReport::of(mesh, &GeometryOptions::default().asking(questions))
+    let report = GeometryReport::of(mesh, &GeometryOptions::default().asking(questions), &Watch::NOBODY)
         .map_err(|error| Failure::of_pass("picture", &error))?;
     Ok(asked.iter().map(|&what| overlay(mesh, &report, what)).collect())
 }

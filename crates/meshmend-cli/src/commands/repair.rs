@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshmend::Rules;
-use meshmend::files::{FileRepair, FileStep, FileTarget, FileWatch, Judged, RepairedFile};
+use meshmend::files::{FileRepair, FileTarget, Judged, RepairedFile};
 use meshmend::formats::{Document, replace_file};
 
 use crate::console::Console;
@@ -61,12 +61,7 @@ impl Repair {
         progress.step("read");
         let document = self.from.read_document(&self.input, console)?;
         let target = self.target(&document)?;
-        let tell = |step: FileStep<'_>| match step {
-            FileStep::Part { place, count, .. } => progress.step_of(step.name(), place, count),
-            _ => progress.step(step.name()),
-        };
-        let watch = FileWatch::observed_by(&tell);
-        let repaired = repair.run(&name(&self.input), document, target.as_ref(), &watch)?;
+        let repaired = repair.run(&name(&self.input), document, target.as_ref(), &progress.watch())?;
         self.write(&repaired, console)?;
         drop(progress);
         console.write(&self.text(&repaired, console.style())?)?;

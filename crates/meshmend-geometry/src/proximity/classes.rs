@@ -64,8 +64,8 @@ pub fn proximity_classes(
     }
     let (grid, near) = (Grid::of_side(side), Nearness::within(epsilon));
     let classes = match Packed::between(grid, low, high) {
-        Some(places) => Cloud::new(points, near, places).classes(goes_on),
-        None => Cloud::new(points, near, Spread(grid)).classes(goes_on),
+        Some(places) => Cloud::new(points, near, places, goes_on).classes(goes_on),
+        None => Cloud::new(points, near, Spread(grid), goes_on).classes(goes_on),
     };
     classes.ok_or(NoClasses::Stopped)
 }
@@ -87,11 +87,12 @@ struct Cloud<'a, P: Places> {
 }
 
 impl<'a, P: Places> Cloud<'a, P> {
-    fn new(points: &'a [[f64; 3]], near: Nearness, places: P) -> Self {
+    /// The points, or none if the caller does not go on.
+    fn new(points: &'a [[f64; 3]], near: Nearness, places: P, goes_on: &dyn Fn() -> bool) -> Self {
         let mut order = Vec::with_capacity(points.len());
         let (mut cubes, mut cells, mut cell_cubes) = (Vec::new(), Vec::new(), Vec::new());
         let mut last = None;
-        places.visit_sorted(points, |cell, at, point| {
+        places.visit_sorted(points, goes_on, |cell, at, point| {
             if last != Some((cell, at)) {
                 if last.is_none_or(|(last_cell, _)| last_cell != cell) {
                     cell_cubes.push(cubes.len() as u32);
@@ -111,6 +112,9 @@ impl<'a, P: Places> Cloud<'a, P> {
 
     /// Returns `None` if the caller does not go on.
     fn classes(&self, goes_on: &dyn Fn() -> bool) -> Option<Vec<VertexId>> {
+        if !goes_on() {
+            return None;
+        }
         let mut joined = UnionFind::new(self.cubes.len() - 1);
         let mut rows = ROWS.map(|step| (step, 0));
         for (cell, &place) in self.cells.iter().enumerate() {

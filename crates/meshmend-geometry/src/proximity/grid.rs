@@ -41,8 +41,13 @@ pub(super) trait Places {
     /// Ascends as points are visited.
     type Cell: Copy + Ord;
 
-    /// Visits the finite points by cell, then cube, then name.
-    fn visit_sorted(&self, points: &[[f64; 3]], visit: impl FnMut(Self::Cell, InCell, u32));
+    /// Visits the finite points by cell, then cube, then name. Once they are sorted it asks whether to go on, and visits none if not.
+    fn visit_sorted(
+        &self,
+        points: &[[f64; 3]],
+        goes_on: &dyn Fn() -> bool,
+        visit: impl FnMut(Self::Cell, InCell, u32),
+    );
 
     /// The cell up to one step away along each axis.
     fn beside(&self, cell: Self::Cell, step: [i8; 3]) -> Self::Cell;
@@ -182,8 +187,16 @@ fn sort_parts(words: &mut [u64], starts: &[u32]) {
 impl Places for Packed {
     type Cell = u64;
 
-    fn visit_sorted(&self, points: &[[f64; 3]], mut visit: impl FnMut(u64, InCell, u32)) {
+    fn visit_sorted(
+        &self,
+        points: &[[f64; 3]],
+        goes_on: &dyn Fn() -> bool,
+        mut visit: impl FnMut(u64, InCell, u32),
+    ) {
         let Parts { starts, words, point_bits, rest_bits } = self.parts(points);
+        if !goes_on() {
+            return;
+        }
         for (part, bounds) in (0u64..).zip(starts.windows(2)) {
             for word in &words[bounds[0] as usize..bounds[1] as usize] {
                 let place = part << rest_bits | word >> point_bits;
@@ -207,7 +220,12 @@ pub(super) struct Spread(pub(super) Grid);
 impl Places for Spread {
     type Cell = Cube;
 
-    fn visit_sorted(&self, points: &[[f64; 3]], mut visit: impl FnMut(Cube, InCell, u32)) {
+    fn visit_sorted(
+        &self,
+        points: &[[f64; 3]],
+        goes_on: &dyn Fn() -> bool,
+        mut visit: impl FnMut(Cube, InCell, u32),
+    ) {
         let entry = |(point, name): (&[f64; 3], u32)| {
             let cube = self.0.cube_of(*point);
             point.iter().all(|x| x.is_finite()).then_some((cell_of(cube), cube_in_cell(cube), name))
@@ -215,6 +233,9 @@ impl Places for Spread {
         let mut entries: Vec<(Cube, InCell, u32)> =
             points.par_iter().zip(0..points.len() as u32).filter_map(entry).collect();
         entries.par_sort_unstable();
+        if !goes_on() {
+            return;
+        }
         entries.into_iter().for_each(|(cell, at, point)| visit(cell, at, point));
     }
 
@@ -232,7 +253,7 @@ mod tests {
     /// The points in order, each with its cube and with which points' cells come before those beside its own.
     fn told<P: Places>(places: &P, points: &[[f64; 3]]) -> Vec<(u32, InCell, Vec<usize>)> {
         let mut visited = Vec::new();
-        places.visit_sorted(points, |cell, at, point| visited.push((cell, at, point)));
+        places.visit_sorted(points, &|| true, |cell, at, point| visited.push((cell, at, point)));
         let steps = (0..27).map(|i| [i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1]);
         let told = |&(cell, at, point): &(P::Cell, InCell, u32)| {
             let before = |step| visited.partition_point(|(other, ..)| *other < places.beside(cell, step));

@@ -2,7 +2,10 @@
 
 use std::io::{self, Chain, Read};
 
+use meshmend_core::Watch;
+
 use crate::input::source::Source;
+use crate::watched::READ;
 
 /// How many bytes are read at a time. They fit the caches of the processor.
 const BLOCK: usize = 1 << 18;
@@ -17,13 +20,21 @@ pub(crate) struct BlockReader<'a> {
     start: usize,
     /// How long the source is.
     length: usize,
+    watch: &'a Watch,
 }
 
 impl<'a> BlockReader<'a> {
     /// The bytes of a source from a place on; those that are not in memory come from `rest`.
     pub(crate) fn new(source: &Source<'a>, at: usize, rest: &'a mut dyn Read) -> Self {
         let from = source.bytes[at..].chain(rest);
-        BlockReader { from, block: Vec::new(), next: 0, start: at, length: source.length }
+        BlockReader {
+            from,
+            block: Vec::new(),
+            next: 0,
+            start: at,
+            length: source.length,
+            watch: source.watch,
+        }
     }
 
     /// Where in the source the next byte is.
@@ -61,6 +72,7 @@ impl<'a> BlockReader<'a> {
         if length > self.left() {
             return Err(io::ErrorKind::UnexpectedEof.into());
         }
+        self.watch.look(READ, self.at(), self.length).map_err(io::Error::other)?;
         self.block.drain(..self.next);
         (self.start, self.next) = (self.start + self.next, 0);
         let more = length.max(BLOCK).min(self.left()) - self.block.len();
@@ -100,7 +112,7 @@ mod tests {
     }
 
     fn source(head: &[u8], length: usize) -> Source<'_> {
-        Source { bytes: head, length, name: "blocks", pace: Pace::NONE, folder: None }
+        Source { bytes: head, length, name: "blocks", pace: Pace::NONE, folder: None, watch: &Watch::NOBODY }
     }
 
     #[test]

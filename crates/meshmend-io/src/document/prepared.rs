@@ -1,11 +1,14 @@
 //! A document that is ready to be written.
 
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
+
+use meshmend_core::Watch;
 
 use crate::document::Placing;
 use crate::output::companions::{self, Companion, write_with};
 use crate::shell::{Splice, Spliced};
+use crate::watched::WatchedWrite;
 use crate::{
     Companions, Document, Encoding, Format, Loss, Prepared, WriteError, WriteErrorKind, WriteOptions,
 };
@@ -16,6 +19,7 @@ pub struct PreparedDocument {
     format: Format,
     encoding: Encoding,
     content: Content,
+    watch: Watch,
 }
 
 #[derive(Clone, Debug)]
@@ -48,13 +52,15 @@ impl PreparedDocument {
         placing: Placing,
     ) -> Result<Self, WriteErrorKind> {
         let (format, encoding) = options.resolved()?;
+        let watch = options.watch.clone();
+        watch.look("prepare", 0, 0)?;
         if let Some(spliced) = document.shell.splice(document, &Splice { format, options }) {
             let content = Content::of_spliced(spliced?, &options.clone().with_shell(document.shell.clone()));
-            return Ok(PreparedDocument { format, encoding, content });
+            return Ok(PreparedDocument { format, encoding, content, watch });
         }
         let file = document.clone().into_mesh(placing)?;
         let prepared = Prepared::new(&file.mesh, &options.clone().as_read(&file))?;
-        Ok(PreparedDocument { format, encoding, content: Content::New(Box::new(prepared)) })
+        Ok(PreparedDocument { format, encoding, content: Content::New(Box::new(prepared)), watch })
     }
 
     /// The format in which it will be written.
@@ -85,7 +91,10 @@ impl PreparedDocument {
         match &self.content {
             Content::Spliced { spliced, companions } => {
                 let failed = |kind| WriteError { file: path.display().to_string(), kind };
-                write_with(path, companions, |out| Ok(out.write_all(&spliced.bytes)?)).map_err(failed)
+                let write = |out: &mut dyn io::Write| {
+                    Ok(WatchedWrite::new(out, &self.watch).write_all(&spliced.bytes)?)
+                };
+                write_with(path, companions, write).map_err(failed)
             }
             Content::New(prepared) => prepared.write(path),
         }
@@ -98,9 +107,8 @@ impl PreparedDocument {
     pub fn encode(&self, out: &mut dyn io::Write) -> Result<(), WriteError> {
         match &self.content {
             Content::Spliced { spliced, .. } => {
-                let failed =
-                    |error| WriteError { file: "output".to_owned(), kind: WriteErrorKind::Io(error) };
-                out.write_all(&spliced.bytes).map_err(failed)
+                let failed = |error: io::Error| WriteError { file: "output".to_owned(), kind: error.into() };
+                WatchedWrite::new(out, &self.watch).write_all(&spliced.bytes).map_err(failed)
             }
             Content::New(prepared) => prepared.encode(out),
         }

@@ -2,12 +2,13 @@
 
 use std::io;
 
-use meshmend_core::PolygonMesh;
+use meshmend_core::{PolygonMesh, Watch};
 
 use crate::document::{Part, PartSource, PartStatus};
 use crate::input::folder::Folder;
 use crate::input::notes::Notes;
 use crate::text::speculative_parse::Pace;
+use crate::watched::READ;
 use crate::{Place, ReadError, ReadErrorKind, Shell};
 
 /// The bytes of a file, and its name for errors.
@@ -21,6 +22,8 @@ pub(crate) struct Source<'a> {
     pub(crate) pace: Pace,
     /// The folder of the file, if it was read from one.
     pub(crate) folder: Option<&'a Folder>,
+    /// Who watches the reading.
+    pub(crate) watch: &'a Watch,
 }
 
 impl Source<'_> {
@@ -43,7 +46,20 @@ impl Source<'_> {
     /// The error of a system that can't give bytes.
     #[cold]
     pub(crate) fn failed(&self, error: io::Error) -> ReadError {
-        ReadError { file: self.name.to_owned(), place: Place::File, kind: ReadErrorKind::Io(error) }
+        ReadError { file: self.name.to_owned(), place: Place::File, kind: error.into() }
+    }
+
+    /// Says that all before a byte has been read.
+    ///
+    /// # Errors
+    /// If whoever watches wants no more.
+    pub(crate) fn look(&self, at: usize) -> Result<(), ReadError> {
+        let stopped = |stopped| ReadError {
+            file: self.name.to_owned(),
+            place: Place::File,
+            kind: ReadErrorKind::Cancelled(stopped),
+        };
+        self.watch.look(READ, at, self.length).map_err(stopped)
     }
 
     /// The line of a byte.

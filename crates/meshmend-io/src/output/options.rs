@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use meshmend_core::Watch;
+
 use crate::paths::folder_of;
 use crate::{Encoding, Format, Material, ReadFile, Shell, WriteErrorKind};
 
@@ -31,6 +33,8 @@ pub struct WriteOptions {
     pub companions: Companions,
     /// What materials look like; by default as the file says that the mesh comes from.
     pub materials: Option<Arc<[Material]>>,
+    /// Who watches the writing, and may stop it.
+    pub watch: Watch,
 }
 
 /// What becomes of the files that an output names, such as material libraries and pictures, when it is written into
@@ -118,6 +122,11 @@ impl WriteOptions {
     /// These options with another choice for `EXT_mesh_manifold`.
     pub fn with_manifold_extension(self, manifold_extension: ManifoldExtension) -> Self {
         WriteOptions { manifold_extension, ..self }
+    }
+
+    /// These options for writing that is watched.
+    pub fn with_watch(self, watch: &Watch) -> Self {
+        WriteOptions { watch: watch.clone(), ..self }
     }
 
     /// These options, for a mesh that comes from a file with this shell.

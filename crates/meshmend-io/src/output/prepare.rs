@@ -8,6 +8,7 @@ use meshmend_core::PolygonMesh;
 use crate::formats::drivers::driver;
 use crate::output::companions::{unnamed_loss, write_with};
 use crate::shell::{NamedContent, NamedFile};
+use crate::watched::WatchedWrite;
 use crate::{Encoding, Format, Loss, Prepared, WriteError, WriteErrorKind, WriteOptions};
 
 impl Prepared {
@@ -20,6 +21,7 @@ impl Prepared {
     pub fn new(mesh: &PolygonMesh, options: &WriteOptions) -> Result<Self, WriteErrorKind> {
         let (format, encoding) = options.resolved()?;
         let mut prepared = Prepared::as_given(mesh, format, encoding, options.clone());
+        options.watch.look("prepare", 0, 0)?;
         prepared.turn_textures()?;
         (driver(format).prepare)(&mut prepared)?;
         let copies = options.copies(prepared.named.iter().map(|name| &name[..]));
@@ -70,7 +72,7 @@ impl Prepared {
     /// *Cost*: linear; a small buffer.
     pub fn write(&self, path: &Path) -> Result<(), WriteError> {
         let failed = |kind| WriteError { file: path.display().to_string(), kind };
-        write_with(path, &self.companions, |out| (driver(self.format).encode)(self, out)).map_err(failed)
+        write_with(path, &self.companions, |out| self.encode_watched(out)).map_err(failed)
     }
 
     /// The losses of the files that the input names.
@@ -92,6 +94,10 @@ impl Prepared {
     /// *Cost*: linear; a small buffer.
     pub fn encode(&self, out: &mut dyn io::Write) -> Result<(), WriteError> {
         let failed = |kind| WriteError { file: "output".to_owned(), kind };
-        (driver(self.format).encode)(self, out).map_err(failed)
+        self.encode_watched(out).map_err(failed)
+    }
+
+    fn encode_watched(&self, out: &mut dyn io::Write) -> Result<(), WriteErrorKind> {
+        (driver(self.format).encode)(self, &mut WatchedWrite::new(out, &self.options.watch))
     }
 }

@@ -55,6 +55,9 @@ pub(crate) trait SequentialReader<R>: Send {
 
     /// Whether it has read all that it needs. The text may go on.
     fn is_done(&self) -> bool;
+
+    /// Says to whoever watches how far it is; an error if it is not to go on. It is called between two waves.
+    fn look(&self) -> Result<(), ReadError>;
 }
 
 /// How far ahead a text is parsed.
@@ -92,11 +95,13 @@ pub(crate) fn read_speculatively<R: UsualRows>(
     reader: &mut impl SequentialReader<R>,
 ) -> Result<(), ReadError> {
     if pace.chunks == 0 {
-        return reader.read_to(text.len());
+        return read_alone(text, reader);
     }
+    reader.look()?;
     let (mut wave, mut next) = (Wave::default(), Wave::default());
     wave.parse(text, reader.at(), pace, rows);
     while wave.end < text.len() && !reader.is_done() {
+        reader.look()?;
         if pace.chunks == 1 {
             wave.hand_over(reader)?;
             wave.parse(text, wave.end, pace, rows);
@@ -108,6 +113,18 @@ pub(crate) fn read_speculatively<R: UsualRows>(
         }
     }
     wave.hand_over(reader)
+}
+
+/// Reads a text until the reader is done or the text ends, without anything parsed ahead of it.
+pub(crate) fn read_alone<R>(text: &[u8], reader: &mut impl SequentialReader<R>) -> Result<(), ReadError> {
+    /// How many bytes are read between two looks.
+    const PIECE: usize = 1 << 18;
+    while !reader.is_done() && text.len() - reader.at() > PIECE {
+        reader.look()?;
+        reader.read_to(reader.at() + PIECE)?;
+    }
+    reader.look()?;
+    reader.read_to(text.len())
 }
 
 /// The chunks that are parsed at one time.

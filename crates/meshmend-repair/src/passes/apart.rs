@@ -72,7 +72,7 @@ impl Pass for KeepApart {
         if !context.storage.is_some_and(|storage| storage.is_apart()) {
             return Ok(Outcome::unchanged(mesh));
         }
-        let (positions, apart) = moving::moved(mesh)?;
+        let (positions, apart) = moving::moved(mesh, context.watch())?;
         context.check_cancelled()?;
         if apart.iter().all(|record| !record.is_moved()) {
             return Ok(Outcome { apart, ..Outcome::unchanged(mesh) });

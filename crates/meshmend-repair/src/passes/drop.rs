@@ -113,7 +113,7 @@ impl Pass for DropParts {
         let mut fixed = Vec::new();
         loop {
             context.check_cancelled()?;
-            let Judged { fates, going, components, mixed } = judging::judged(self, &now)?;
+            let Judged { fates, going, components, mixed } = judging::judged(self, &now, context.watch())?;
             record.mixed_faces = mixed;
             if going.is_empty() {
                 break;

@@ -82,7 +82,7 @@ impl Pass for Heal {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        let healed = heal(mesh, resolved_on(ROW.name, mesh, self.within.distance())?);
+        let healed = heal(mesh, resolved_on(ROW.name, mesh, self.within.distance())?, context.watch())?;
         context.check_cancelled()?;
         let t_junctions = record::of(mesh, &healed);
         if healed.faces.is_empty() {

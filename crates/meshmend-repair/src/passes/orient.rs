@@ -87,7 +87,9 @@ impl Pass for Orient {
         if self.side == Side::Majority && context.known.is_some_and(is_oriented) {
             return Ok(Outcome::unchanged(mesh));
         }
-        context.kernel.run(mesh.complex(), Task { options: self, mesh, context })?
+        let complex = mesh.complex();
+        context.check_cancelled()?;
+        context.kernel.run(complex, Task { options: self, mesh, context })?
     }
 }
 
@@ -109,7 +111,9 @@ impl KernelTask for Task<'_> {
     type Output = Result<Outcome, PassError>;
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
+        self.context.check_cancelled()?;
         let subject = Subject::new(kernel, self.mesh, self.context);
+        self.context.check_cancelled()?;
         let oriented = self.options.oriented(&subject)?;
         self.options.outcome(&subject, &oriented)
     }
@@ -155,12 +159,14 @@ impl Orient {
     ) -> Result<Oriented, PassError> {
         let mut matching = LiveMatching::new(subject, &fates);
         let mut patches = Patches::new(subject, self.policy(), fates);
+        subject.context.check_cancelled()?;
         let mut pairs = matching.new_pairs(patches.fates());
         if self.non_orientable == NonOrientable::Cut {
             pairs = seams::seams_last(subject.kernel, &subject.stored, pairs);
         }
         loop {
             patches.join_across(&pairs);
+            subject.context.check_cancelled()?;
             let gone = patches.drop_duplicates();
             if gone.is_empty() {
                 break;
@@ -199,14 +205,17 @@ impl Orient {
         oriented: &Oriented,
     ) -> Result<Outcome, PassError> {
         let Oriented { fates, non_orientable, outward } = oriented;
+        subject.context.check_cancelled()?;
         let mut outcome = if fates.all_stay() && !fates.any_is_flipped() {
             Outcome::unchanged(subject.mesh)
         } else {
             let gone = record::gone(&subject.repeats, fates);
             let differed = record::differed(subject, &gone);
+            subject.context.check_cancelled()?;
             let rebuilt = turned(subject.mesh, fates, self.flipped_normals)?;
             Outcome { differed, ..Outcome::changed(rebuilt, record::fixed(subject, fates, gone)) }
         };
+        subject.context.check_cancelled()?;
         let new_ids = fates.new_ids();
         outcome.left = record::left(subject, fates, &new_ids);
         outcome.left.extend(outward.iter().map(|patch| patch.defect(new_ids.of(patch.lowest))));

@@ -86,7 +86,7 @@ impl Pass for Outward {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        let nesting = nesting(&Surface::of(mesh)?);
+        let nesting = nesting(&Surface::of(mesh)?.watched(context.watch()))?;
         context.check_cancelled()?;
         let mut wishes: Vec<Wish> = nesting.components.iter().map(|part| self.wish(part)).collect();
         if self.turn == Turn::Visible {

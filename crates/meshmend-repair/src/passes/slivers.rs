@@ -15,7 +15,7 @@
 //! *May introduce* nothing, but crossings that only a whole search sees. A second run may go on where the distance was the
 //! reason: it does not know where vertices were. *Cost*: linear, and for each step that of the faces round it.
 
-use meshmend_core::{Defect, DefectKind, FaceId, Id, PolygonMesh};
+use meshmend_core::{Cancelled, Defect, DefectKind, FaceId, Id, PolygonMesh};
 use meshmend_spatial::{FoundSliver, MendedSlivers, Reshaped, SliverTask, mend_slivers};
 use serde::{Deserialize, Serialize};
 
@@ -95,7 +95,7 @@ impl Pass for Slivers {
             attributes: &attributes::Layers::of(mesh),
         };
         let goes_on = || context.check_cancelled().is_ok();
-        let mended = mend_slivers(&task, &goes_on).ok_or(PassError::Cancelled)?;
+        let mended = mend_slivers(&task, &goes_on).ok_or(Cancelled)?;
         let records = record::of(&mended);
         let Some(reshaped) = &mended.reshaped else {
             let left = mended.left.iter().map(|left| defect(left.sliver, left.sliver.face)).collect();

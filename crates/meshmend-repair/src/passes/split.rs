@@ -121,7 +121,9 @@ impl Pass for Split {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        context.kernel.run_on_all_vertices(mesh.complex(), Task { options: self, mesh, context })?
+        let complex = mesh.complex();
+        context.check_cancelled()?;
+        context.kernel.run_on_all_vertices(complex, Task { options: self, mesh, context })?
     }
 }
 
@@ -135,8 +137,10 @@ impl KernelTask for Task<'_> {
     type Output = Result<Outcome, PassError>;
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
+        self.context.check_cancelled()?;
         let stored = StoredVertices::new(self.mesh, self.context);
         let mut sewing = Sewing::of(kernel, self.mesh, self.context);
+        self.context.check_cancelled()?;
         let has_seam = self.options.seams == Seams::Cut && has_clash(kernel);
         if !has_seam && sewing.is_whole(kernel, self.mesh, &stored) {
             return Ok(Outcome::unchanged(self.mesh));
@@ -154,6 +158,7 @@ impl KernelTask for Task<'_> {
             coinciding: self.coinciding(),
         };
         let apart = Apart::of(kernel, self.mesh, self.context, separation)?;
+        self.context.check_cancelled()?;
         let figures = seams::seam_figures(kernel, self.mesh, &matching, &apart.vertices, &seam);
         drop(matching);
         let came_apart = parted.into_iter().filter(|&edge| self.comes_apart(kernel, &apart.vertices, edge));
@@ -243,6 +248,7 @@ impl Task<'_> {
         let subdivided = apart.subdivided_edges().iter();
         fixed.extend(subdivided.map(|&edge| Defect::coincident_edges(kernel.edge_ends(edge))));
         fixed.extend(opened);
+        self.context.check_cancelled()?;
         let outcome = Outcome::changed(apart.rebuild(self.mesh)?, fixed);
         Ok(Outcome { left: self.left(&outcome.mesh), ..outcome })
     }

@@ -23,7 +23,7 @@
 
 use std::borrow::Cow;
 
-use meshmend_core::{DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
+use meshmend_core::{Cancelled, DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
 use meshmend_geometry::coincident::{coincident_in_single, coincident_vertices, equal_in_pose, near_in_pose};
 use meshmend_geometry::proximity::{NoClasses, proximity_classes};
 use rayon::prelude::*;
@@ -151,7 +151,10 @@ impl Pass for Weld {
                 joined_along_boundaries(mesh, exact, epsilon, context)?
             }
         };
-        join_to(mesh, self.in_one_pose(mesh, lowest, context)?)
+        context.check_cancelled()?;
+        let lowest = self.in_one_pose(mesh, lowest, context)?;
+        context.check_cancelled()?;
+        join_to(mesh, lowest)
     }
 
     /// 0 if only vertices in one place are joined. *Cost*: linear if the distance is relative, else constant.
@@ -266,7 +269,7 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
 
 fn not_told(epsilon: f64, reason: NoClasses) -> PassError {
     match reason {
-        NoClasses::Stopped => PassError::Cancelled,
+        NoClasses::Stopped => Cancelled.into(),
         NoClasses::Unresolved { extent } => unresolved(ROW.name, epsilon, extent),
     }
 }

@@ -35,7 +35,7 @@ enum Finality {
 
 impl Pipeline {
     /// Runs the passes on the result as it will be read, again and again, until that changes nothing.
-    pub(super) fn settled<'a>(&self, mut session: Session<'a>) -> Result<Session<'a>, PassError> {
+    pub(super) fn settled(&self, mut session: Session) -> Result<Session, PassError> {
         if !self.may_change_again(&session)? || self.faces.is_read_again(session.stored(), session.mesh())? {
             return Ok(session);
         }
@@ -62,7 +62,7 @@ impl Pipeline {
     }
 
     /// Whether the passes might change what the last round left.
-    fn may_change_again(&self, session: &Session<'_>) -> Result<bool, PassError> {
+    fn may_change_again(&self, session: &Session) -> Result<bool, PassError> {
         let changed =
             |kind| session.last_round().iter().any(|record| record.pass == kind && record.is_changed);
         let has_changed = session.last_round().iter().any(|record| record.is_changed);
@@ -84,7 +84,7 @@ impl Pipeline {
 
     /// Whether a tolerance in parts of a box has grown with the box: vertices that were joined to one that no face used are
     /// where that was.
-    fn welds_further(&self, session: &Session<'_>) -> bool {
+    fn welds_further(&self, session: &Session) -> bool {
         let grows = |pass: &AnyPass| pass.as_pass().tolerance_on(session.mesh()) > session.tolerance();
         self.passes().iter().any(grows)
     }

@@ -1,8 +1,8 @@
 //! Failures of pipelines.
 
-use std::sync::atomic::AtomicBool;
+use std::ops::ControlFlow;
 
-use meshmend_core::{Draft, FaceTable, MAX_CORNERS, Sources};
+use meshmend_core::{Draft, FaceTable, MAX_CORNERS, Sources, Watch};
 use meshmend_kernels::KernelKind;
 use meshmend_testkit::{Soup, assert_every_variant, shapes};
 use serde::{Deserialize, Serialize};
@@ -38,7 +38,7 @@ fn every_failure_says_which_pass_and_why() {
     let triangle = Soup::generic(3, [[0, 1, 2]]);
     let mut infinite = triangle.clone();
     infinite.positions[2] = [f64::INFINITY; 3];
-    let (mesh, stop) = (triangle.mesh(), AtomicBool::new(true));
+    let (mesh, stop) = (triangle.mesh(), Watch::new(|_| ControlFlow::Break(())));
     let wrong = Draft::of_faces(&mesh, mesh.faces().clone(), Sources::same(1), Sources::same(2));
     let cases = vec![
         (
@@ -61,7 +61,7 @@ fn every_failure_says_which_pass_and_why() {
             "the repair would remove the only face: faces with non-finite corners: 1, because of \
              --non-finite drop",
         ),
-        (Pipeline::default().run_in(Session::begin(&mesh).with_cancel(&stop)).unwrap_err(), "cancelled"),
+        (Pipeline::default().run_in(Session::begin(&mesh).with_watch(&stop)).unwrap_err(), "cancelled"),
         (
             promise_of_the_lazy(&Pipeline::default(), &shapes::book(3).soup).unwrap(),
             "the pipeline broke its promise, which is a mistake of this program: e0 v0-v1 has 3 sides",

@@ -5,7 +5,7 @@ use meshmend_core::{Defect, DefectKind, Id, Provenance, VertexId, turned_normals
 use super::Session;
 use crate::{FaceStorage, Fixed, PassError, PassKind, PassRecord, Repaired};
 
-impl Session<'_> {
+impl Session {
     /// All that was done.
     ///
     /// # Errors

@@ -1,5 +1,8 @@
 //! A binary tree over boxes. It does not depend on the number of threads.
 
+use std::convert::Infallible;
+
+use meshmend_core::{Cancelled, Watch};
 use rayon::prelude::*;
 
 use super::bounds::Bounds;
@@ -51,14 +54,38 @@ impl BoxTree {
     ///
     /// *Cost*: O(n log n); at most 18 bytes an item, and 16 more while it is built.
     pub fn over(count: usize, bounds: impl Fn(usize) -> Bounds + Sync) -> Self {
+        let Ok(tree) = BoxTree::built(count, bounds, || Ok::<(), Infallible>(()));
+        tree
+    }
+
+    /// The same, for work with a name that somebody watches.
+    ///
+    /// # Errors
+    /// When they stop it.
+    ///
+    /// *Cost*: that of [`over`](Self::over).
+    pub fn watched(
+        count: usize,
+        bounds: impl Fn(usize) -> Bounds + Sync,
+        (watch, step): (&Watch, &'static str),
+    ) -> Result<Self, Cancelled> {
+        BoxTree::built(count, bounds, || watch.look(step, 0, 0))
+    }
+
+    fn built<E: Send>(
+        count: usize,
+        bounds: impl Fn(usize) -> Bounds + Sync,
+        look: impl Fn() -> Result<(), E> + Sync,
+    ) -> Result<Self, E> {
         let mut depth = 0;
         while count > LEAF << depth {
             depth += 1;
         }
-        let items = halved(count, depth, &bounds);
+        let items = halved(count, depth, &bounds, &look)?;
+        look()?;
         let mut tree = BoxTree { items, nodes: Vec::new(), depth };
         tree.nodes = tree.enclosing(&bounds);
-        tree
+        Ok(tree)
     }
 
     /// The items in the order of the leaves, in which items that are near each other are near each other.
@@ -218,7 +245,12 @@ impl<B: Fn(usize) -> Bounds> Walk<'_, B> {
 }
 
 /// The items in the order of the leaves.
-fn halved(count: usize, depth: u32, bounds: &(impl Fn(usize) -> Bounds + Sync)) -> Vec<u32> {
+fn halved<E: Send>(
+    count: usize,
+    depth: u32,
+    bounds: &(impl Fn(usize) -> Bounds + Sync),
+    look: &(impl Fn() -> Result<(), E> + Sync),
+) -> Result<Vec<u32>, E> {
     let items = || (0..count).into_par_iter().with_min_len(PARALLEL);
     let all = items().map(bounds).reduce(|| Bounds::NONE, |one, other| one.with(&other));
     let place = |x: f64, low: f64| x / 2.0 - low / 2.0;
@@ -230,13 +262,21 @@ fn halved(count: usize, depth: u32, bounds: &(impl Fn(usize) -> Bounds + Sync)) 
         Placed { centre: centre.map(|x| (x * f64::from(1_u32 << 31)) as u32), item: item as u32 }
     };
     let mut placed: Vec<Placed> = items().map(placed).collect();
-    halve(&mut placed, depth);
-    placed.into_iter().map(|placed| placed.item).collect()
+    halve(&mut placed, depth, look)?;
+    Ok(placed.into_iter().map(|placed| placed.item).collect())
 }
 
-fn halve(all: &mut [Placed], levels: u32) {
+fn halve<E: Send>(
+    all: &mut [Placed],
+    levels: u32,
+    look: &(impl Fn() -> Result<(), E> + Sync),
+) -> Result<(), E> {
     if levels == 0 {
-        return;
+        return Ok(());
+    }
+    let is_large = all.len() >= PARALLEL;
+    if is_large {
+        look()?;
     }
     let none = ([u32::MAX; 3], [0; 3]);
     let (low, high) = all.iter().fold(none, |(low, high), Placed { centre, .. }| {
@@ -250,13 +290,13 @@ fn halve(all: &mut [Placed], levels: u32) {
             u64::from(placed.centre[axis]) << 32 | u64::from(placed.item)
         });
     }
-    let is_large = all.len() >= PARALLEL;
     let (low, high) = all.split_at_mut(one.end);
     if is_large {
-        rayon::join(|| halve(low, levels - 1), || halve(high, levels - 1));
+        let (one, other) = rayon::join(|| halve(low, levels - 1, look), || halve(high, levels - 1, look));
+        one.and(other)
     } else {
-        halve(low, levels - 1);
-        halve(high, levels - 1);
+        halve(low, levels - 1, look)?;
+        halve(high, levels - 1, look)
     }
 }
 

@@ -21,7 +21,7 @@ mod round;
 
 use std::sync::Arc;
 
-use meshmend_core::{Complex, PolygonMesh};
+use meshmend_core::{Cancelled, Complex, PolygonMesh, Watch};
 
 use crate::t_junctions::{Boundary, vertices_on_edges, welded_faces};
 
@@ -34,21 +34,28 @@ use round::Round;
 /// What becomes of the faces of a mesh whose T-junctions within a distance of at least 0 are healed. Vertices at one
 /// position count as one, the lowest.
 ///
+/// # Errors
+/// When whoever watches stops it.
+///
 /// *Cost*: O(n log n + pairs) a round; most meshes need one or two.
-pub fn heal(mesh: &PolygonMesh, within: f64) -> Healed {
+pub fn heal(mesh: &PolygonMesh, within: f64, watch: &Watch) -> Result<Healed, Cancelled> {
+    const STEP: &str = "heal";
+    watch.look(STEP, 0, 0)?;
     let welded = welded_faces(mesh).map(|faces| Complex::of(&Arc::new(faces)));
     let place = Place { positions: mesh.positions(), within };
     let first = welded.as_ref().unwrap_or(mesh.complex());
     let mut recorder = Recorder::of(first);
     let mut faces = first.shared_faces();
     loop {
+        watch.look(STEP, 0, 0)?;
         let complex = Complex::of(&faces);
         let boundary = Boundary::of(&complex, mesh.positions());
-        let on = vertices_on_edges(mesh.positions(), &boundary, within);
+        let on = vertices_on_edges(mesh.positions(), &boundary, within, watch)?;
+        watch.look(STEP, 0, boundary.edges().len())?;
         let round = Round::decided(mesh.positions(), &boundary, &on, within);
         match recorder.insert(&place, &boundary, &round) {
             Some(next) => faces = Arc::new(next),
-            None => return recorder.finished(&place, &boundary, &on, &round),
+            None => return Ok(recorder.finished(&place, &boundary, &on, &round)),
         }
     }
 }
@@ -105,7 +112,7 @@ mod tests {
         let points = [[0, 0, 0], [8, 0, 0], [8, 4, 0], [0, 4, 0], [2, 4, 0], [0, 8, 0], [8, 8, 0], [2, 8, 0]];
         let faces = vec![vec![0, 1, 2, 3], vec![3, 4, 7, 5], vec![4, 2, 6, 7]];
         let mesh = mesh(&points, &faces);
-        let healed = heal(&mesh, 0.0);
+        let healed = heal(&mesh, 0.0, &Watch::NOBODY).unwrap();
         assert_eq!(faces_after(&mesh, &healed)[0], [0, 1, 2, 4, 3]);
         assert_eq!((healed.rounds, healed.left.len()), (1, 0));
         let [Insertion { vertex, ends, foot, distance, .. }] = healed.insertions[..] else { panic!("one") };
@@ -117,11 +124,20 @@ mod tests {
     fn what_stays_has_a_reason() {
         let points = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [4, 0, 0], [2, -4, 0], [6, -4, 0]];
         let touching = mesh(&points, &vec![vec![0, 1, 2], vec![3, 4, 5]]);
-        let reasons =
-            |mesh: &PolygonMesh| heal(mesh, 0.0).left.into_iter().map(|left| left.reason).collect::<Vec<_>>();
+        let reasons = |mesh: &PolygonMesh| {
+            heal(mesh, 0.0, &Watch::NOBODY)
+                .unwrap()
+                .left
+                .into_iter()
+                .map(|left| left.reason)
+                .collect::<Vec<_>>()
+        };
         assert_eq!(reasons(&touching), [NotHealed::Foreign]);
         let alone = mesh(&points, &vec![vec![0, 1, 2], vec![3, 0, 4]]);
-        assert!(heal(&alone, 0.0).insertions.len() == 1, "half of the edge is matched");
+        assert!(
+            heal(&alone, 0.0, &Watch::NOBODY).unwrap().insertions.len() == 1,
+            "half of the edge is matched"
+        );
         let wall = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [4, 0, 0]];
         let double = mesh(&wall, &vec![vec![0, 1, 2], vec![2, 1, 3, 0]]);
         assert_eq!(reasons(&double), [NotHealed::Unmatched]);
@@ -143,7 +159,7 @@ mod tests {
         #[test]
         fn nothing_gets_worse((points, faces) in soup()) {
             let before = mesh(&points, &faces);
-            let healed = heal(&before, 0.0);
+            let healed = heal(&before, 0.0, &Watch::NOBODY).unwrap();
             let after = faces_after(&before, &healed);
             let (old, new) = (edges(&faces), edges(&after));
             for (ends, sides) in &new {
@@ -163,13 +179,13 @@ mod tests {
                 vertices.windows(2).all(|two| two[0] != two[1])
             };
             prop_assert!(after.iter().all(is_simple));
-            let again = heal(&mesh(&points, &after), 0.0);
+            let again = heal(&mesh(&points, &after), 0.0, &Watch::NOBODY).unwrap();
             prop_assert!(again.insertions.is_empty());
         }
 
         #[test]
         fn names_do_not_matter((points, faces) in soup(), turns in 0usize..3) {
-            let healed = heal(&mesh(&points, &faces), 0.0);
+            let healed = heal(&mesh(&points, &faces), 0.0, &Watch::NOBODY).unwrap();
             let count = points.len() as u32;
             let renamed: Vec<[i32; 3]> = points.iter().rev().copied().collect();
             let turned: Faces = faces.iter().rev().map(|face| {
@@ -178,7 +194,7 @@ mod tests {
                 face.reverse();
                 face
             }).collect();
-            let other = heal(&mesh(&renamed, &turned), 0.0);
+            let other = heal(&mesh(&renamed, &turned), 0.0, &Watch::NOBODY).unwrap();
             let mut expected: Vec<(u32, u32)> =
                 healed.insertions.iter().map(|i| (i.vertex.0, i.face.0)).collect();
             let last = faces.len() as u32;

@@ -11,7 +11,7 @@
 mod regions;
 mod walls;
 
-use meshmend_core::{FaceId, PolygonMesh};
+use meshmend_core::{Cancelled, FaceId, PolygonMesh};
 use rayon::prelude::*;
 
 use crate::meeting::Contact;
@@ -51,14 +51,21 @@ const TOGETHER: usize = 64;
 
 /// Which faces of a surface are internal. `None` if the search for intersections stopped before the last face.
 ///
+/// # Errors
+/// When whoever watches the surface stops it.
+///
 /// *Cost*: O(n log n), and for each region a search and some microseconds for each face above it.
 pub fn internal_faces(
     surface: &Surface<'_>,
     intersections: &Intersections,
     nesting: &Nesting,
-) -> Option<InternalFaces> {
-    intersections.figures.as_ref()?;
-    let mesh = surface.mesh();
+) -> Result<Option<InternalFaces>, Cancelled> {
+    const STEP: &str = "internal faces";
+    if intersections.figures.is_none() {
+        return Ok(None);
+    }
+    let (mesh, watch) = (surface.mesh(), surface.watch());
+    watch.look(STEP, 0, 0)?;
     let is_solid = |face: FaceId| {
         let component = nesting.component_of(face).map(|place| &nesting.components[place]);
         component.is_some_and(|component| component.state.is_some())
@@ -68,11 +75,17 @@ pub fn internal_faces(
     let is_asked =
         |face: &FaceId| is_solid(*face) && !is_mixed(*face) && !surface.triangles_of(*face).is_empty();
     let lowest = regions(surface, |face| is_asked(&face) && contact(face).is_none());
+    watch.look(STEP, 0, 0)?;
     let asked: Vec<FaceId> = mesh.faces().faces().filter(is_asked).collect();
     let seeds: Vec<FaceId> = asked.iter().copied().filter(|&face| lowest[face] == face).collect();
-    let walls = Walls::of(surface, is_solid);
+    watch.look(STEP, 0, seeds.len())?;
+    let walls = Walls::of(surface, is_solid, STEP)?;
+    let statuses = seeds.par_chunks(TOGETHER).map(|faces| {
+        watch.look(STEP, 0, seeds.len())?;
+        Ok(walls.statuses(faces))
+    });
     let statuses: Vec<Status> =
-        seeds.par_chunks(TOGETHER).flat_map_iter(|faces| walls.statuses(faces)).collect();
+        statuses.collect::<Result<Vec<_>, Cancelled>>()?.into_iter().flatten().collect();
     let mut found = InternalFaces { mixed: of_mesh(mesh, is_mixed), ..InternalFaces::default() };
     for face in asked {
         let status = seeds.binary_search(&lowest[face]).map(|at| statuses[at]);
@@ -84,7 +97,7 @@ pub fn internal_faces(
     }
     found.mixed.extend(surface.unfit().iter().filter(|&&face| is_solid(face)));
     found.mixed.sort_unstable();
-    Some(found)
+    Ok(Some(found))
 }
 
 fn of_mesh(mesh: &PolygonMesh, is_wanted: impl Fn(FaceId) -> bool) -> Vec<FaceId> {

@@ -28,8 +28,8 @@ fn boxes(all: &[([i32; 3], [i32; 3], bool)]) -> PolygonMesh {
 
 fn found(mesh: &PolygonMesh) -> InternalFaces {
     let surface = Surface::of(mesh).unwrap();
-    let met = intersections(&surface, IntersectionOptions::default());
-    internal_faces(&surface, &met, &nesting(&surface)).unwrap()
+    let met = intersections(&surface, IntersectionOptions::default()).unwrap();
+    internal_faces(&surface, &met, &nesting(&surface).unwrap()).unwrap().unwrap()
 }
 
 #[test]

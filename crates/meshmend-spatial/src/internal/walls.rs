@@ -1,6 +1,6 @@
 //! What closed components enclose, asked at the middle of a face.
 
-use meshmend_core::FaceId;
+use meshmend_core::{Cancelled, FaceId};
 use meshmend_geometry::vector::Point;
 
 use crate::Surface;
@@ -36,11 +36,16 @@ struct Passed {
 
 impl<'a> Walls<'a> {
     /// The triangles of some faces.
-    pub(super) fn of(surface: &'a Surface<'a>, is_wall: impl Fn(FaceId) -> bool) -> Self {
+    pub(super) fn of(
+        surface: &'a Surface<'a>,
+        is_wall: impl Fn(FaceId) -> bool,
+        step: &'static str,
+    ) -> Result<Self, Cancelled> {
         let walls = surface.triangles().iter().copied().filter(|triangle| is_wall(triangle.face));
         let triangles: Vec<Triangle> = walls.collect();
-        let tree = BoxTree::over(triangles.len(), |item| Bounds::of(surface.points(&triangles[item])));
-        Walls { surface, triangles, tree }
+        let bounds = |item: usize| Bounds::of(surface.points(&triangles[item]));
+        let tree = BoxTree::watched(triangles.len(), bounds, (surface.watch(), step))?;
+        Ok(Walls { surface, triangles, tree })
     }
 
     /// How some faces with a surface lie, each at the mean of the corners of its first triangle.

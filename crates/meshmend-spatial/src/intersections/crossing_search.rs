@@ -1,8 +1,9 @@
 //! Whether triangles that are not part of a mesh would cross its faces.
 
-use meshmend_core::FaceId;
+use meshmend_core::{Cancelled, FaceId};
 use meshmend_geometry::vector::{Point, place_bits};
 
+use super::search::STEP;
 use crate::boxes::{Bounds, BoxTree, Query};
 use crate::exact::are_collinear;
 use crate::meeting::Pair;
@@ -17,11 +18,15 @@ pub struct CrossingSearch<'s> {
 impl<'s> CrossingSearch<'s> {
     /// Of all faces that have a surface.
     ///
+    /// # Errors
+    /// When whoever watches the surface stops it.
+    ///
     /// *Cost*: O(n log n), and at most 18 bytes a triangle.
-    pub fn new(surface: &'s Surface<'s>) -> Self {
+    pub fn new(surface: &'s Surface<'s>) -> Result<Self, Cancelled> {
         let all = surface.triangles();
-        let tree = BoxTree::over(all.len(), |at| Bounds::of(surface.points(&all[at])));
-        CrossingSearch { surface, tree }
+        let bounds = |at: usize| Bounds::of(surface.points(&all[at]));
+        let tree = BoxTree::watched(all.len(), bounds, (surface.watch(), STEP))?;
+        Ok(CrossingSearch { surface, tree })
     }
 
     /// The lowest face that a triangle of finite corners crosses or overlaps: their insides have a point in common, and they do
@@ -89,7 +94,7 @@ mod tests {
         let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0]];
         let mesh = PolygonMesh::from_triangles(&points, &[[1, 3, 2], [0, 1, 2]]).unwrap();
         let surface = Surface::of(&mesh).unwrap();
-        let search = CrossingSearch::new(&surface);
+        let search = CrossingSearch::new(&surface).unwrap();
         let [a, b, c, _] = points;
         let cases = [
             ([[1.0, 1.0, -1.0], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]], Some(FaceId(1))),

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::hits::{Hit, Met, Piece, hit};
 use super::run::Subject;
+use super::search::STEP;
 use crate::boxes::{FewBoxes, JoinPart, Leaf};
 
 /// How many leaves are remembered as the first of two, and as the second.
@@ -26,8 +27,8 @@ pub(super) struct Joined {
     pub(super) self_crossing: Vec<FaceId>,
 }
 
-/// All that meets; `None` if more pairs are tested than the budget has, or more meet than are kept. Which it is does not depend
-/// on the number of threads.
+/// All that meets; `None` if more pairs are tested than the budget has, or more meet than are kept, or whoever watches has stopped
+/// it. Which of the first two it is does not depend on the number of threads.
 pub(super) fn joined(subject: &Subject<'_>, budget: u64) -> Option<Joined> {
     let kept = subject.surface.mesh().counts().faces as u64 + KEPT;
     let counts = [Bounded::to(budget), Bounded::to(kept)];
@@ -86,8 +87,12 @@ impl<'a> Leaves<'a> {
     fn search(&mut self, part: JoinPart, [all_tests, all_met]: &[Bounded; 2]) -> Option<Joined> {
         let mut found = Joined::default();
         let (mut tests, mut told) = (0, 0);
+        let watch = self.subject.surface.watch();
         let mut tell = |tests: u64, met: usize| {
             all_tests.add(tests)?;
+            if watch.look(STEP, 0, 0).is_err() {
+                return ControlFlow::Break(());
+            }
             all_met.add((met - std::mem::replace(&mut told, met)) as u64)
         };
         let ended = self.subject.tree.join(part, &mut |leaves| {

@@ -9,10 +9,13 @@ use petgraph::unionfind::UnionFind;
 
 use super::hits::{Coplanar, Hit, Met, Piece, hit, one_for_two_faces};
 use super::report::{FacePair, Figures, Listed};
+use super::search::STEP;
 use crate::boxes::{Bounds, BoxTree, Query};
 use crate::meeting::{Contact, shown_point};
 use crate::surface::Surface;
 
+/// Faces between two looks: some groups that go down the tree together.
+const BETWEEN_LOOKS: usize = 16 * TOGETHER;
 /// Faces that go down the tree together.
 const TOGETHER: usize = 64;
 
@@ -60,6 +63,11 @@ impl Subject<'_> {
         let mut run = Run::default();
         let (mut queries, mut found) = (Vec::new(), Vec::new());
         for start in faces.clone().step_by(TOGETHER) {
+            let is_time = (start - faces.start).is_multiple_of(BETWEEN_LOOKS);
+            if is_time && self.surface.watch().look(STEP, start, self.contacts.len()).is_err() {
+                // Whoever asked for the run looks too, and is told.
+                break;
+            }
             let end = faces.end.min(start + TOGETHER);
             let first = self.surface.range_of(FaceId::new(start)).start;
             let triangles = first..self.surface.range_of(FaceId::new(end - 1)).end;

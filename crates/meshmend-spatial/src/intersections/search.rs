@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use meshmend_core::{FaceId, Id};
+use meshmend_core::{Cancelled, FaceId, Id};
 use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
@@ -13,6 +13,8 @@ use super::run::{Greatest, Run, Subject};
 use crate::boxes::{Bounds, BoxTree};
 use crate::surface::Surface;
 
+/// What the search is called to whoever watches.
+pub(super) const STEP: &str = "crossings";
 /// Faces of a run.
 const RUN: usize = 4096;
 /// Runs of a thread at a time: if the budget ends among them, those after are done in vain.
@@ -20,13 +22,21 @@ const AT_A_TIME: usize = 8;
 
 /// Which faces of a surface intersect, and how. Answers are the same for every number of threads.
 ///
+/// # Errors
+/// When whoever watches the surface stops it.
+///
 /// *Cost*: O((n + tests) log n) time, where as many pairs of triangles are tested as have boxes that overlap; with the surface
 /// some 50 bytes a face while it searches, 12 for each pair of triangles that meets but no more than about as many as there are
 /// faces, and what the listed pairs take.
-pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Intersections {
-    let all = surface.triangles();
-    let tree = BoxTree::over(all.len(), |at| Bounds::of(surface.points(&all[at])));
+pub fn intersections(
+    surface: &Surface<'_>,
+    options: IntersectionOptions,
+) -> Result<Intersections, Cancelled> {
+    let (all, watch) = (surface.triangles(), surface.watch());
+    watch.look(STEP, 0, 0)?;
+    let tree = BoxTree::watched(all.len(), |at| Bounds::of(surface.points(&all[at])), (watch, STEP))?;
     let faces = surface.mesh().counts().faces;
+    watch.look(STEP, 0, faces)?;
     let clusters = Mutex::new(UnionFind::new(faces));
     let contacts = (0..faces).map(|_| Greatest::default()).collect();
     let subject = Subject { surface, tree, clusters, contacts, limit: options.limit };
@@ -41,10 +51,12 @@ pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Int
         total.self_crossing.dedup();
         done = runs;
     }
+    watch.look(STEP, faces.min(done * RUN), faces)?;
     while done < runs && total.tests <= budget {
         let next = done..runs.min(done + AT_A_TIME * rayon::current_num_threads());
         let found: Vec<Run> =
             next.into_par_iter().map(|run| subject.run(run * RUN..faces.min((run + 1) * RUN))).collect();
+        watch.look(STEP, faces.min(done * RUN), faces)?;
         for run in found {
             if total.tests <= budget {
                 add(&mut total, run, options.limit);
@@ -53,7 +65,7 @@ pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Int
         }
     }
     let is_complete = done == runs;
-    Intersections {
+    Ok(Intersections {
         pairs: total.pairs,
         contacts: subject.contacts.values().iter().map(Greatest::get).collect(),
         self_crossing: total.self_crossing,
@@ -61,7 +73,7 @@ pub fn intersections(surface: &Surface<'_>, options: IntersectionOptions) -> Int
         complete_to: (!is_complete).then(|| FaceId::new(done * RUN - 1)),
         zero_area: surface.zero_area().to_vec(),
         unfit: surface.unfit().to_vec(),
-    }
+    })
 }
 
 fn add(total: &mut Run, run: Run, limit: usize) {

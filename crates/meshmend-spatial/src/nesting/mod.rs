@@ -16,7 +16,7 @@ mod depth;
 mod parts;
 mod passage;
 
-use meshmend_core::{Column, EdgeId, FaceId};
+use meshmend_core::{Cancelled, Column, EdgeId, FaceId, ITEMS_BETWEEN_LOOKS};
 use meshmend_geometry::vector::{Point, cross, dot, minus};
 
 use crate::Surface;
@@ -121,16 +121,31 @@ impl Nesting {
 
 /// What is inside of what in the mesh of a surface.
 ///
+/// # Errors
+/// When whoever watches the surface stops it.
+///
 /// *Cost*: O(n log n) for components that touch each other at few points, on all threads; for each that touches another,
 /// each of its points on that one costs a search.
-pub fn nesting(surface: &Surface<'_>) -> Nesting {
-    let mesh = surface.mesh();
+pub fn nesting(surface: &Surface<'_>) -> Result<Nesting, Cancelled> {
+    const STEP: &str = "nesting";
+    let (mesh, watch) = (surface.mesh(), surface.watch());
+    watch.look(STEP, 0, 0)?;
     let parts = parts(mesh, surface);
+    watch.look(STEP, 0, parts.list.len())?;
     let depths = depths(mesh, surface, &parts);
+    watch.look(STEP, 0, parts.list.len())?;
     let triangles = parts.triangles(surface);
-    let judged = parts.list.iter().zip(depths).zip(&triangles);
-    let components = judged.map(|((part, depth), triangles)| judged_part(part, depth, triangles)).collect();
-    Nesting { components, of_face: parts.of_face }
+    let (mut faces, count) = (0, parts.list.len());
+    let judged = parts.list.iter().zip(depths).zip(&triangles).enumerate();
+    let judged = judged.map(|(place, ((part, depth), triangles))| {
+        faces += part.faces as usize;
+        if faces > ITEMS_BETWEEN_LOOKS {
+            faces = 0;
+            watch.look(STEP, place, count)?;
+        }
+        Ok(judged_part(part, depth, triangles))
+    });
+    Ok(Nesting { components: judged.collect::<Result<_, Cancelled>>()?, of_face: parts.of_face })
 }
 
 fn judged_part(part: &Part, depth: Option<u32>, triangles: &[[Point; 3]]) -> NestedComponent {
@@ -200,6 +215,7 @@ mod tests {
 
     fn states(mesh: &PolygonMesh) -> Vec<(Option<u32>, Option<NestingState>)> {
         nesting(&Surface::of(mesh).unwrap())
+            .unwrap()
             .components
             .into_iter()
             .map(|part| (part.depth, part.state))
@@ -215,7 +231,7 @@ mod tests {
             assert_eq!(states(&mesh), expected.map(|(depth, state)| (Some(depth), Some(state))), "{scale}");
         }
         let mesh = cubes(&[(1.0, true), (2.0, false)], 1.0);
-        let found = nesting(&Surface::of(&mesh).unwrap());
+        let found = nesting(&Surface::of(&mesh).unwrap()).unwrap();
         assert_eq!(
             found.components.iter().map(|part| part.volume).collect::<Vec<_>>(),
             [Some(8.0), Some(-64.0)]
@@ -227,7 +243,9 @@ mod tests {
     fn what_encloses_no_space_says_why() {
         let reason = |points: &[Point], faces: &[[u32; 3]]| {
             let mesh = PolygonMesh::from_triangles(points, faces).unwrap();
-            let [part] = &nesting(&Surface::of(&mesh).unwrap()).components[..] else { panic!("one") };
+            let [part] = &nesting(&Surface::of(&mesh).unwrap()).unwrap().components[..] else {
+                panic!("one")
+            };
             (part.depth, part.reason)
         };
         let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0; 3]];

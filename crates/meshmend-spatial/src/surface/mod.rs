@@ -4,7 +4,7 @@ mod cut;
 mod cycles;
 mod triangle;
 
-use meshmend_core::{FaceId, FaceTableError, Id, PolygonMesh, VertexId, distinct_count};
+use meshmend_core::{FaceId, FaceTableError, Id, PolygonMesh, VertexId, Watch, distinct_count};
 use meshmend_geometry::coincident::coincident_vertices;
 use meshmend_geometry::vector::Point;
 use rayon::prelude::*;
@@ -31,7 +31,10 @@ pub struct Surface<'a> {
     zero_area: Vec<FaceId>,
     unfit: Vec<FaceId>,
     cycles: Cycles,
+    watch: &'a Watch,
 }
+
+const NOBODY: &Watch = &Watch::NOBODY;
 
 /// Faces of a piece of work.
 const CHUNK: usize = 4096;
@@ -55,6 +58,7 @@ impl<'a> Surface<'a> {
             zero_area: Vec::new(),
             unfit: Vec::new(),
             cycles: Cycles::default(),
+            watch: NOBODY,
         };
         let count = mesh.counts().faces;
         let chunks: Vec<Part> = (0..count.div_ceil(CHUNK))
@@ -73,6 +77,17 @@ impl<'a> Surface<'a> {
             surface.cycles = Cycles::of(mesh, |vertex| surface.place(vertex), &surface.unfit);
         }
         Ok(surface)
+    }
+
+    /// The surface, all questions about which are watched by somebody.
+    #[must_use]
+    pub fn watched(self, watch: &'a Watch) -> Self {
+        Surface { watch, ..self }
+    }
+
+    /// Who watches what is asked about it.
+    pub fn watch(&self) -> &'a Watch {
+        self.watch
     }
 
     /// The mesh whose surface it is.

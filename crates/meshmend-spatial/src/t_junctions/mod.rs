@@ -14,7 +14,7 @@ mod near;
 mod place;
 mod point_tree;
 
-use meshmend_core::{Defect, DefectKind, Element, FaceId, Id, PolygonMesh, VertexId};
+use meshmend_core::{Cancelled, Defect, DefectKind, Element, FaceId, Id, PolygonMesh, VertexId, Watch};
 use meshmend_geometry::vector::Point;
 use rayon::prelude::*;
 
@@ -61,10 +61,14 @@ impl TJunction {
 
 /// The T-junctions of a mesh within a distance of at least 0, ordered by vertex and ends.
 ///
+/// # Errors
+/// When whoever watches stops it.
+///
 /// *Cost*: O(n log n + pairs); 100 bytes a boundary edge.
-pub fn t_junctions(mesh: &PolygonMesh, within: f64) -> Vec<TJunction> {
+pub fn t_junctions(mesh: &PolygonMesh, within: f64, watch: &Watch) -> Result<Vec<TJunction>, Cancelled> {
+    watch.look(STEP, 0, 0)?;
     let boundary = Boundary::welded(mesh);
-    let on = vertices_on_edges(mesh.positions(), &boundary, within);
+    let on = vertices_on_edges(mesh.positions(), &boundary, within, watch)?;
     let found = on.pairs().par_iter().map(|&(edge, vertex)| TJunction {
         is_aligned: on.is_aligned(&boundary, edge, vertex),
         distance: if within > 0.0 { distance(mesh.positions(), &boundary, edge, vertex) } else { 0.0 },
@@ -72,8 +76,11 @@ pub fn t_junctions(mesh: &PolygonMesh, within: f64) -> Vec<TJunction> {
     });
     let mut found: Vec<TJunction> = found.collect();
     found.par_sort_unstable_by_key(|junction| (junction.vertex, junction.ends));
-    found
+    Ok(found)
 }
+
+/// What the search is called to whoever watches.
+pub(crate) const STEP: &str = "T-junctions";
 
 /// A vertex on a boundary edge, exactly on it and not aligned for all that is known.
 pub(crate) fn junction(boundary: &Boundary, edge: u32, vertex: VertexId) -> TJunction {
@@ -138,7 +145,7 @@ mod tests {
     }
 
     fn found(mesh: &PolygonMesh, within: f64) -> Vec<[u32; 3]> {
-        let found = t_junctions(mesh, within);
+        let found = t_junctions(mesh, within, &Watch::NOBODY).unwrap();
         found.iter().map(|t| [t.vertex, t.ends[0], t.ends[1]].map(|vertex| vertex.0)).collect()
     }
 
@@ -168,7 +175,7 @@ mod tests {
 
         #[test]
         fn a_soup_has_those_of_the_mesh_of_which_it_is((points, faces) in soup()) {
-            let whole = t_junctions(&mesh(&points, &faces, 1.0), 0.0);
+            let whole = t_junctions(&mesh(&points, &faces, 1.0), 0.0, &Watch::NOBODY).unwrap();
             let apart: Vec<Whole> = faces.iter().flatten().map(|&v| points[v as usize]).collect();
             let own: Vec<[u32; 3]> = (0..faces.len() as u32).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
             let soup = mesh(&apart, &own, 1.0);
@@ -181,7 +188,7 @@ mod tests {
                 places.sort_unstable();
                 places
             };
-            prop_assert_eq!(places(&soup, &t_junctions(&soup, 0.0)), places(&mesh(&points, &faces, 1.0), &whole));
+            prop_assert_eq!(places(&soup, &t_junctions(&soup, 0.0, &Watch::NOBODY).unwrap()), places(&mesh(&points, &faces, 1.0), &whole));
         }
     }
 
@@ -189,11 +196,11 @@ mod tests {
     fn a_foreign_corner_that_touches_is_not_aligned() {
         let points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [2, 0, 0], [1, -4, 0], [3, -4, 0], [0, -4, 0]];
         let touching = mesh(&points, &[[0, 1, 2], [3, 4, 5]], 1.0);
-        let [found] = t_junctions(&touching, 0.0)[..] else { panic!("one") };
+        let [found] = t_junctions(&touching, 0.0, &Watch::NOBODY).unwrap()[..] else { panic!("one") };
         assert_eq!((found.vertex, found.ends, found.face), (VertexId(3), [0, 1].map(VertexId), FaceId(0)));
         assert_eq!((found.is_aligned, found.distance), (false, 0.0));
         let beside = mesh(&points, &[[0, 1, 2], [3, 0, 6]], 1.0);
-        let [found] = t_junctions(&beside, 0.0)[..] else { panic!("one") };
+        let [found] = t_junctions(&beside, 0.0, &Watch::NOBODY).unwrap()[..] else { panic!("one") };
         assert!(found.is_aligned);
     }
 

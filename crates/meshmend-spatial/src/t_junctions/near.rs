@@ -1,12 +1,16 @@
 //! Which vertices of the boundary lie on which of its edges.
 
-use meshmend_core::{Id, VertexId};
+use meshmend_core::{Cancelled, Id, VertexId, Watch};
 use meshmend_geometry::vector::Point;
 use rayon::prelude::*;
 
+use super::STEP;
 use super::boundary::Boundary;
 use super::place::is_on;
 use super::point_tree::PointTree;
+
+/// Edges between two looks.
+const CHUNK: usize = 1024;
 
 /// Pairs of an edge of the boundary and a vertex that lies on it.
 pub(crate) struct OnEdges {
@@ -16,8 +20,18 @@ pub(crate) struct OnEdges {
 
 /// The vertices of a boundary that lie on its edges, within a distance: on edges of faces that they are no corners of.
 ///
+/// # Errors
+/// When whoever watches stops it.
+///
 /// *Cost*: O(n log n + pairs), on all threads; 100 bytes an edge and 8 a pair.
-pub(crate) fn vertices_on_edges(positions: &[Point], boundary: &Boundary, within: f64) -> OnEdges {
+pub(crate) fn vertices_on_edges(
+    positions: &[Point],
+    boundary: &Boundary,
+    within: f64,
+    watch: &Watch,
+) -> Result<OnEdges, Cancelled> {
+    let count = boundary.edges().len();
+    watch.look(STEP, 0, count)?;
     let vertices = boundary.vertices();
     let tree = PointTree::of(vertices.iter().map(|vertex| positions[vertex.index()]));
     let of_edge = |edge: u32| {
@@ -32,8 +46,14 @@ pub(crate) fn vertices_on_edges(positions: &[Point], boundary: &Boundary, within
         found.sort_unstable();
         found
     };
-    let edges = (0..boundary.edges().len() as u32).into_par_iter();
-    OnEdges { pairs: edges.flat_map_iter(of_edge).collect() }
+    let chunks = (0..count.div_ceil(CHUNK)).into_par_iter().map(|chunk| {
+        let edges = chunk * CHUNK..count.min((chunk + 1) * CHUNK);
+        watch.look(STEP, edges.start, count)?;
+        Ok(edges.flat_map(|edge| of_edge(edge as u32)).collect::<Vec<_>>())
+    });
+    let found = chunks.collect::<Result<Vec<_>, Cancelled>>()?;
+    watch.look(STEP, count, count)?;
+    Ok(OnEdges { pairs: found.concat() })
 }
 
 impl OnEdges {

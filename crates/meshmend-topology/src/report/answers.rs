@@ -1,8 +1,11 @@
 //! All questions asked of a mesh at once.
 
+use std::convert::Infallible;
 use std::sync::Arc;
 
-use meshmend_core::{Column, Connectivity, DefectKind, KernelTask, PolygonMesh, vertex_classes};
+use meshmend_core::{
+    Cancelled, Column, Connectivity, DefectKind, KernelTask, PolygonMesh, Watch, vertex_classes,
+};
 
 use super::totals::SurfaceTotals;
 use super::{DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness};
@@ -17,41 +20,62 @@ use crate::{
 /// *Cost*: near-linear in the corners, but for the elimination that [`betti`] bounds; about 30 bytes a face of a
 /// closed mesh while it runs, up to five times that for a soup of separate faces.
 pub fn topology<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> TopologyReport {
-    topology_with(kernel, mesh, Witness::BreadthFirst)
+    let look = |_: usize| Ok::<(), Infallible>(());
+    let Ok(report) = kernel.ask_of_all_vertices(AllAnswers { mesh, witness: Witness::BreadthFirst, look });
+    report
 }
 
-/// The topology of a mesh, with a choice of what shows that a patch is not orientable.
+/// The topology of a mesh, with a choice of what shows that a patch is not orientable, and for somebody who watches.
+///
+/// # Errors
+/// [`Cancelled`] if the watch says so.
 ///
 /// *Cost*: that of [`topology`], and for shortest witnesses that of [`one_sided_loops`].
-pub fn topology_with<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: Witness) -> TopologyReport {
-    kernel.ask_of_all_vertices(AllAnswers { mesh, witness })
+pub fn topology_watched<K: Connectivity>(
+    kernel: &K,
+    mesh: &PolygonMesh,
+    witness: Witness,
+    watch: &Watch,
+) -> Result<TopologyReport, Cancelled> {
+    let look = |done| watch.look("topology", done, QUESTIONS);
+    kernel.ask_of_all_vertices(AllAnswers { mesh, witness, look })
 }
 
-/// All questions, through whichever kernel.
-struct AllAnswers<'a> {
+/// Between how many groups of questions there is a look.
+const QUESTIONS: usize = 5;
+
+/// All questions, through whichever kernel, with what looks whether to go on.
+struct AllAnswers<'a, L> {
     mesh: &'a PolygonMesh,
     witness: Witness,
+    look: L,
 }
 
-impl KernelTask for AllAnswers<'_> {
-    type Output = TopologyReport;
-    fn run<K: Connectivity>(self, kernel: &K) -> TopologyReport {
-        all_answers(kernel, self.mesh, self.witness)
+impl<E: Send, L: Fn(usize) -> Result<(), E> + Sync> KernelTask for AllAnswers<'_, L> {
+    type Output = Result<TopologyReport, E>;
+    fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
+        let AllAnswers { mesh, witness, look } = self;
+        look(0)?;
+        // Questions that need no other's answer are asked at the same time.
+        let ((components, vertex_classes), patches) = rayon::join(
+            || (components(kernel), look(1).map(|()| vertex_classes(kernel))),
+            || patches(kernel),
+        );
+        let vertex_classes = vertex_classes?;
+        look(2)?;
+        let loops = boundary_loops(kernel);
+        let facts = component_facts(kernel, &components, &patches, &vertex_classes, &loops);
+        look(3)?;
+        let (orientability, is_least) = witnesses(kernel, &patches, witness);
+        look(4)?;
+        let (defects, betti) = rayon::join(
+            || Arc::new(DefectList::find(kernel, mesh, &vertex_classes, orientability)),
+            || betti(kernel, &components, &patches),
+        );
+        look(QUESTIONS)?;
+        let (edges, faces) = (kernel.edge_count() as u64, mesh.complex().proper_face_count() as u64);
+        Ok(Answers { edges, faces, components, patches, facts, defects, betti, witness, is_least }.report())
     }
-}
-
-fn all_answers<K: Connectivity>(kernel: &K, mesh: &PolygonMesh, witness: Witness) -> TopologyReport {
-    // Questions that need no other's answer are asked at the same time.
-    let ((components, vertex_classes), patches) =
-        rayon::join(|| (components(kernel), vertex_classes(kernel)), || patches(kernel));
-    let facts = component_facts(kernel, &components, &patches, &vertex_classes, &boundary_loops(kernel));
-    let (orientability, is_least) = witnesses(kernel, &patches, witness);
-    let (defects, betti) = rayon::join(
-        || Arc::new(DefectList::find(kernel, mesh, &vertex_classes, orientability)),
-        || betti(kernel, &components, &patches),
-    );
-    let (edges, faces) = (kernel.edge_count() as u64, mesh.complex().proper_face_count() as u64);
-    Answers { edges, faces, components, patches, facts, defects, betti, witness, is_least }.report()
 }
 
 /// What each question was answered.

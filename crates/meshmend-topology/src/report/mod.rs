@@ -7,7 +7,7 @@ mod totals;
 #[cfg(test)]
 mod tests;
 
-pub use answers::{topology, topology_with};
+pub use answers::{topology, topology_watched};
 pub use topology_report::{
     DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness,
 };

@@ -1,6 +1,6 @@
 //! All figures of shapes whose figures are known, and of random soups.
 
-use meshmend_core::{Build, Connectivity, DefectKind, EdgeUse, Element};
+use meshmend_core::{Build, Connectivity, DefectKind, EdgeUse, Element, Watch};
 use serde_json::{Value, json};
 
 use super::*;
@@ -183,7 +183,7 @@ fn a_shortest_witness_is_given_when_it_is_asked_for() {
     let mesh = shape.mesh();
     let kernel = EdgeUse::build(mesh.complex()).unwrap();
     let [usual, shortest] = [Witness::BreadthFirst, Witness::Shortest].map(|witness| {
-        let report = topology_with(&kernel, &mesh, witness);
+        let report = topology_watched(&kernel, &mesh, witness, &Watch::NOBODY).unwrap();
         assert!(report.witness == witness && report.undefined.iter().all(|u| u.figure == "genus"));
         let defect = report.defects.of_kind(DefectKind::NonOrientablePatch).next().unwrap();
         let Element::Strip(strip) = defect.at else { panic!("{defect:?}") };

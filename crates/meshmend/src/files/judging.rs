@@ -1,6 +1,6 @@
 //! What a repair's report says of a mesh before and after.
 
-use meshmend_core::Rules;
+use meshmend_core::{Rules, Watch};
 use meshmend_repair::{PassError, Repaired, Session};
 
 use crate::report::{CheckDocument, RepairDocument};
@@ -37,8 +37,8 @@ pub(super) struct Before {
 
 impl Judging {
     /// Judges a mesh to which no pass was applied yet.
-    pub(super) fn before(&self, session: &mut Session<'_>, view: View) -> Result<Before, PassError> {
-        let report = self.with_geometry(check_in(session, view, self.rules)?)?;
+    pub(super) fn before(&self, session: &mut Session, view: View) -> Result<Before, PassError> {
+        let report = self.with_geometry(check_in(session, view, self.rules)?, session.watch())?;
         let marks = self.geometry.map(|options| GeometryMarks::before(&report, &options)).unwrap_or_default();
         Ok(Before { document: CheckDocument::new(report, self.limit), marks })
     }
@@ -50,12 +50,13 @@ impl Judging {
         before: Option<Before>,
         repaired: &mut Repaired,
         document: &mut RepairDocument,
+        watch: &Watch,
     ) -> Result<(), PassError> {
         let report = match repaired.topology.take() {
             Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, self.rules),
-            None => check(&repaired.mesh, &CheckOptions::default().with_rules(self.rules))?,
+            None => check(&repaired.mesh, &CheckOptions::default().with_rules(self.rules).with_watch(watch))?,
         };
-        let report = self.with_geometry(report)?;
+        let report = self.with_geometry(report, watch)?;
         if let (Some(options), Some(before)) = (&self.geometry, &before) {
             let after = GeometryMarks::after(&report, options, &repaired.provenance);
             document.geometry_changes = Some(before.marks.changes_to(&after));
@@ -65,9 +66,9 @@ impl Judging {
         Ok(())
     }
 
-    fn with_geometry(&self, report: CheckReport) -> Result<CheckReport, PassError> {
+    fn with_geometry(&self, report: CheckReport, watch: &Watch) -> Result<CheckReport, PassError> {
         match &self.geometry {
-            Some(options) => report.with_geometry(options),
+            Some(options) => report.with_geometry(options, watch),
             None => Ok(report),
         }
     }

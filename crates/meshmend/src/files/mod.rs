@@ -5,7 +5,8 @@
 //! through it, so that their reports are equal to the byte.
 //!
 //! ```
-//! use meshmend::files::{FileRepair, FileTarget, FileWatch};
+//! use meshmend::files::{FileRepair, FileTarget};
+//! use meshmend::mesh::Watch;
 //! use meshmend::formats::read_document_bytes;
 //! use meshmend::{Format, ReadOptions, WriteOptions};
 //!
@@ -14,7 +15,7 @@
 //! let options = WriteOptions::of(Format::Ply).with_shell(document.shell.clone());
 //! let target = FileTarget::new("once.ply", options);
 //!
-//! let repaired = FileRepair::default().run("twice.obj", document, Some(&target), &FileWatch::default())?;
+//! let repaired = FileRepair::default().run("twice.obj", document, Some(&target), &Watch::NOBODY)?;
 //! assert!(repaired.is_changed());
 //! assert!(repaired.report_json()?.contains(r#""output":"once.ply""#));
 //! let mut bytes = Vec::new();
@@ -33,14 +34,13 @@ mod prepared;
 mod repair;
 mod repaired;
 mod target;
-mod watch;
 
 pub use self::error::FileError;
 pub use self::face_names::FaceNames;
 pub use self::judging::Judged;
 pub use self::part_choice::{NoSuchPart, PartChoice};
+pub use self::parts::PART;
 pub use self::prepared::PreparedFile;
 pub use self::repair::{CutPolygons, FileRepair, Maps};
 pub use self::repaired::{PartOutcome, RepairedFile, RepairedMesh, RepairedParts};
 pub use self::target::FileTarget;
-pub use self::watch::{FileStep, FileWatch};

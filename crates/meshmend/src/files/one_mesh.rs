@@ -1,12 +1,11 @@
 //! The repair of a file that is one mesh.
 
+use meshmend_core::Watch;
 use meshmend_io::{Document, Placing, ReadFile, rounding_losses};
 use meshmend_repair::{Repaired, Session};
 
 use super::judging::Before;
-use super::{
-    FileError, FileRepair, FileStep, FileTarget, FileWatch, Judged, Maps, PreparedFile, RepairedMesh,
-};
+use super::{FileError, FileRepair, FileTarget, Judged, Maps, PreparedFile, RepairedMesh};
 use crate::View;
 use crate::report::{ProvenanceDocument, RepairDocument};
 
@@ -17,14 +16,15 @@ impl FileRepair {
         name: &str,
         document: Document,
         target: Option<&FileTarget>,
-        watch: &FileWatch<'_>,
+        watch: &Watch,
     ) -> Result<RepairedMesh, FileError> {
         self.parts.chosen(&document)?;
         let placed = document.into_mesh(Placing::Parts);
         let file = placed.map_err(|error| FileError::Placed { file: name.to_owned(), error })?;
         let failed = |error| FileError::of_pass(name, error);
         let (mut repaired, before) = self.repair_mesh(name, &file, target, watch)?;
-        watch.tell(FileStep::Report);
+        let look = |step| watch.look(step, 0, 0).map_err(|stopped| failed(stopped.into()));
+        look("report")?;
         let mut report = RepairDocument::new(&file.mesh, &repaired, self.limit);
         report.file = Some(name.to_owned());
         report.notes = file.notes.clone();
@@ -32,9 +32,9 @@ impl FileRepair {
             report.provenance = Some(ProvenanceDocument::new(&repaired.provenance));
         }
         if self.judged != Judged::Neither {
-            self.judging().add(before, &mut repaired, &mut report).map_err(failed)?;
+            self.judging().add(before, &mut repaired, &mut report, watch).map_err(failed)?;
         }
-        watch.tell(FileStep::Write);
+        look("prepare")?;
         let prepared = target.map(|target| target.prepared(&repaired.mesh)).transpose()?;
         if let (Some(target), Some(prepared)) = (target, &prepared) {
             name_output(&mut report, target, prepared, &repaired);
@@ -48,12 +48,12 @@ impl FileRepair {
         name: &str,
         file: &ReadFile,
         target: Option<&FileTarget>,
-        watch: &FileWatch<'_>,
+        watch: &Watch,
     ) -> Result<(Repaired, Option<Before>), FileError> {
         let failed = |error| FileError::of_pass(name, error);
         let pipeline = self.pipeline(&file.mesh, target);
-        watch.tell(FileStep::Check);
-        let mut session = watch.over(Session::begin(&file.mesh));
+        watch.look("check", 0, 0).map_err(|stopped| failed(stopped.into()))?;
+        let mut session = Session::begin(&file.mesh).with_watch(watch);
         let mut before = None;
         if self.judged == Judged::BeforeAndAfter {
             session = session.with_figures();
@@ -62,9 +62,7 @@ impl FileRepair {
             judged.document = judged.document.of_file(name.to_owned(), file);
             before = Some(judged);
         }
-        let session = session.with_kernel(self.kernel);
-        let session = session.with_progress(|pass| watch.tell(FileStep::Pass(pass)));
-        Ok((pipeline.run_in(session).map_err(failed)?, before))
+        Ok((pipeline.run_in(session.with_kernel(self.kernel)).map_err(failed)?, before))
     }
 }
 

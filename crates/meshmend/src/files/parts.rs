@@ -1,13 +1,10 @@
 //! The repair of a file of several parts: each is repaired by itself, in its own space.
 
-use meshmend_core::{DraftError, PolygonMesh, Provenance};
+use meshmend_core::{DraftError, PolygonMesh, Provenance, Watch};
 use meshmend_io::{Document, Part, PartSource, PartStatus};
 use meshmend_repair::{Emptying, NamedPart, PassError, Plan, Repaired, Session, joined_parts, named_parts};
 
-use super::{
-    FaceNames, FileError, FileRepair, FileStep, FileTarget, FileWatch, Judged, Maps, PartOutcome,
-    RepairedParts,
-};
+use super::{FaceNames, FileError, FileRepair, FileTarget, Judged, Maps, PartOutcome, RepairedParts};
 use crate::View;
 use crate::report::{ProvenanceDocument, RepairDocument};
 
@@ -18,7 +15,7 @@ impl FileRepair {
         name: &str,
         document: Document,
         target: Option<&FileTarget>,
-        watch: &FileWatch<'_>,
+        watch: &Watch,
     ) -> Result<RepairedParts, FileError> {
         let named = self.parts.by.map(|names| Named::of(names, &document, name)).transpose()?;
         let document = match &named {
@@ -41,12 +38,15 @@ impl FileRepair {
     }
 }
 
+/// What the work on a part is called to whoever watches: its place is that among those that are chosen.
+pub const PART: &str = "part";
+
 /// How each part is repaired.
 struct Work<'a> {
     repair: &'a FileRepair,
     name: &'a str,
     target: Option<&'a FileTarget>,
-    watch: &'a FileWatch<'a>,
+    watch: &'a Watch,
 }
 
 impl Work<'_> {
@@ -54,7 +54,8 @@ impl Work<'_> {
         let (mut parts, mut emptied) = (Vec::new(), None);
         for (place, &number) in chosen.iter().enumerate() {
             let part = &document.parts[number];
-            self.watch.tell(FileStep::Part { title: &part.title(), place, count: chosen.len() });
+            let look = self.watch.look(PART, place, chosen.len());
+            look.map_err(|stopped| FileError::of_pass(self.name, stopped))?;
             if let Some(reason) = part.seal() {
                 parts.push((number, PartOutcome::Sealed(reason.to_owned())));
                 continue;
@@ -88,7 +89,7 @@ impl Work<'_> {
     ) -> Result<(RepairDocument, PolygonMesh, Provenance), PassError> {
         let (repair, judging) = (self.repair, self.repair.judging());
         let pipeline = repair.pipeline(mesh, self.target);
-        let mut session = self.watch.over(Session::begin(mesh));
+        let mut session = Session::begin(mesh).with_watch(self.watch);
         let mut before = None;
         if repair.judged == Judged::BeforeAndAfter {
             session = session.with_figures();
@@ -99,7 +100,7 @@ impl Work<'_> {
         if repair.maps == Maps::Whole {
             report.provenance = Some(ProvenanceDocument::new(&repaired.provenance));
         }
-        judging.add(before, &mut repaired, &mut report)?;
+        judging.add(before, &mut repaired, &mut report, self.watch)?;
         let Repaired { mesh, provenance, .. } = repaired;
         Ok((report, mesh, provenance))
     }

@@ -1,12 +1,12 @@
 //! How a file is repaired.
 
-use meshmend_core::{PolygonMesh, Rules};
+use meshmend_core::{PolygonMesh, Rules, Watch};
 use meshmend_io::{Document, Format, held_layers};
 use meshmend_kernels::KernelKind;
 use meshmend_repair::{PassKind, Pipeline, Plan, Precision, TriangulateFaces};
 
 use super::judging::Judging;
-use super::{FileError, FileTarget, FileWatch, Judged, PartChoice, RepairedFile};
+use super::{FileError, FileTarget, Judged, PartChoice, RepairedFile};
 use crate::GeometryOptions;
 
 /// How a file is repaired, and what is said of it.
@@ -94,7 +94,7 @@ impl FileRepair {
         name: &str,
         document: Document,
         target: Option<&FileTarget>,
-        watch: &FileWatch<'_>,
+        watch: &Watch,
     ) -> Result<RepairedFile, FileError> {
         if self.is_by_parts(&document) {
             let repaired = self.run_by_parts(name, document, target, watch);
@@ -139,13 +139,13 @@ impl FileRepair {
 
 #[cfg(test)]
 mod tests {
-    use std::cell::RefCell;
+    use std::ops::ControlFlow;
+    use std::sync::{Arc, Mutex};
 
     use meshmend_io::{WriteOptions, read_document_bytes};
     use serde_json::Value;
 
     use super::*;
-    use crate::files::FileStep;
 
     /// A square of two triangles that share no vertex, one of them there twice.
     const SQUARE: &[u8] =
@@ -163,8 +163,7 @@ mod tests {
 
     #[test]
     fn an_output_that_comes_later_holds_the_mesh_and_is_not_in_the_report() {
-        let watch = FileWatch::default();
-        let repaired = FileRepair::default().run("a.obj", document(SQUARE), None, &watch).unwrap();
+        let repaired = FileRepair::default().run("a.obj", document(SQUARE), None, &Watch::NOBODY).unwrap();
         assert!(repaired.prepared().is_none() && repaired.is_changed());
         let before = report(&repaired);
         let target = FileTarget::new("a.off", WriteOptions::of(Format::Off));
@@ -179,7 +178,7 @@ mod tests {
         let target = FileTarget::new("a.stl", WriteOptions::of(Format::Stl));
         let run = |target: FileTarget| {
             let repair = FileRepair::default();
-            report(&repair.run("a.obj", document(SQUARE), Some(&target), &FileWatch::default()).unwrap())
+            report(&repair.run("a.obj", document(SQUARE), Some(&target), &Watch::NOBODY).unwrap())
         };
         let (written, rehearsed) = (run(target.clone()), run(target.rehearsed()));
         assert_eq!((&written["output"], &rehearsed["output"]), (&"a.stl".into(), &Value::Null));
@@ -200,14 +199,18 @@ mod tests {
     fn a_part_of_which_no_face_would_be_left_is_given_back_and_all_steps_are_told() {
         let parts = PartChoice::default().taken_apart_by(crate::files::FaceNames::Object);
         let mut repair = FileRepair { parts, ..FileRepair::default() };
-        let told = RefCell::new(Vec::new());
-        let tell = |step: FileStep<'_>| told.borrow_mut().push(step.name().to_owned());
-        let watch = FileWatch::observed_by(&tell);
+        let told = Arc::new(Mutex::new(Vec::new()));
+        let parts_told = told.clone();
+        let watch = Watch::new(move |at| {
+            if at.step == crate::files::PART {
+                parts_told.lock().unwrap().push((at.done, at.total));
+            }
+            ControlFlow::Continue(())
+        });
         let repaired = repair.run("a.obj", document(SOLIDS), None, &watch).unwrap();
         let parts = report(&repaired)["parts"].clone();
         assert_eq!((parts[0]["changed"].clone(), parts[1]["given_back"].is_string()), (false.into(), true));
-        assert_eq!(*told.borrow(), ["good (object)", "bad (object)"]);
-        told.borrow_mut().clear();
+        assert_eq!(*told.lock().unwrap(), [(0, 2), (1, 2)]);
         repair.parts = PartChoice::of(vec!["7".to_owned()]);
         let error = repair.run("a.obj", document(SOLIDS), None, &watch).unwrap_err();
         assert_eq!(error.to_string(), "there is no part `7`; the parts are 0: whole file");

@@ -3,7 +3,7 @@
 mod changes;
 mod questions;
 
-use meshmend_core::{Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, Lie, PolygonMesh};
+use meshmend_core::{Build, Defect, DefectKind, Defects, EdgeUse, Element, FaceId, Lie, PolygonMesh, Watch};
 use meshmend_repair::PassError;
 use meshmend_spatial::{
     Contact, FacePair, InternalFaces, IntersectionOptions, Intersections, NestedComponent, Nesting,
@@ -36,41 +36,45 @@ impl GeometryReport {
     /// Asks about a mesh.
     ///
     /// # Errors
-    /// When the distance is not a finite, non-negative number, or the triangles of the faces have more corners than a table
-    /// holds.
+    /// When the distance is not a finite, non-negative number, the triangles of the faces have more corners than a table
+    /// holds, or whoever watches stops it.
     ///
     /// *Cost*: that of [`intersections`], [`t_junctions`], [`open_loops`], [`nesting`], [`internal_faces`] and
     /// [`shapes`], as far as they are asked.
-    pub fn of(mesh: &PolygonMesh, options: &GeometryOptions) -> Result<Self, PassError> {
+    pub fn of(mesh: &PolygonMesh, options: &GeometryOptions, watch: &Watch) -> Result<Self, PassError> {
         let asks = |question| options.questions.contains(question);
         let mut report = GeometryReport::default();
         if [Question::Crossings, Question::Nesting, Question::Internal].into_iter().any(asks) {
-            report.ask_surface(&Surface::of(mesh)?, options);
+            watch.look("surface", 0, 0)?;
+            report.ask_surface(&Surface::of(mesh)?.watched(watch), options)?;
         }
         if asks(Question::TJunctions) {
-            report.t_junctions = Some(t_junctions(mesh, near(mesh, options)?));
+            report.t_junctions = Some(t_junctions(mesh, near(mesh, options)?, watch)?);
+            watch.look("loops", 0, 0)?;
             report.loops = Some(open_loops(&EdgeUse::build(mesh.complex())?, mesh));
         }
         if asks(Question::Shape) {
+            watch.look("shape", 0, 0)?;
             report.shapes = Some(shapes(mesh, options.aspect));
         }
         Ok(report)
     }
 
     /// Asks what the triangles of all faces tell.
-    fn ask_surface(&mut self, surface: &Surface<'_>, options: &GeometryOptions) {
+    fn ask_surface(&mut self, surface: &Surface<'_>, options: &GeometryOptions) -> Result<(), PassError> {
         let asks = |question| options.questions.contains(question);
         let asks_internal = asks(Question::Internal);
         if asks_internal || asks(Question::Crossings) {
             let how = IntersectionOptions { budget: options.budget, limit: options.limit };
-            self.intersections = Some(intersections(surface, how));
+            self.intersections = Some(intersections(surface, how)?);
         }
         if asks_internal || asks(Question::Nesting) {
-            self.nesting = Some(nesting(surface));
+            self.nesting = Some(nesting(surface)?);
         }
         if let (true, Some(found), Some(nesting)) = (asks_internal, &self.intersections, &self.nesting) {
-            self.internal = internal_faces(surface, found, nesting);
+            self.internal = internal_faces(surface, found, nesting)?;
         }
+        Ok(())
     }
 
     /// How many defects of a kind were found. Of pairs of faces, where the search stopped at its budget, how many are listed.

@@ -5,11 +5,13 @@ use std::time::Duration;
 
 use meshmend_core::{
     Array, Build, Capabilities, Cell, Complex, Costs, DefectKind, Lesson, Pointer, PolygonMesh, Refusal,
+    Watch,
 };
 use meshmend_kernels::{KernelKind, KernelVisitor};
+use meshmend_repair::PassError;
 use meshmend_topology::{
     GeneratorError, GeneratorOptions, Generators, Incremental, TopologyReport, Witness, generators,
-    incremental, patches, topology_with,
+    incremental, patches, topology_watched,
 };
 
 use super::KernelCost;
@@ -26,7 +28,7 @@ use super::KernelCost;
 /// const MINE: AnyKernel = AnyKernel::of::<HalfEdge>();
 /// let mesh = PolygonMesh::from_triangles(&[[0.0; 3]; 4], &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?;
 /// assert!(MINE.heap_bytes(mesh.complex())? > 0);
-/// assert_eq!(MINE.topology(&mesh, Default::default())?.edges, 6);
+/// assert_eq!(MINE.topology(&mesh, Default::default(), &Default::default())?.edges, 6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy)]
@@ -43,7 +45,7 @@ pub struct AnyKernel {
     arrays: fn(&Complex) -> Result<Vec<Array>, Refusal>,
     pointers: PointersOf,
     cost: CostOf,
-    topology: fn(&PolygonMesh, Witness) -> Result<TopologyReport, Refusal>,
+    topology: fn(&PolygonMesh, Witness, &Watch) -> Result<TopologyReport, PassError>,
     generators: GeneratorsOf,
     incremental: fn(&Complex) -> Result<Incremental, Refusal>,
 }
@@ -68,7 +70,12 @@ impl AnyKernel {
                 Ok(cells.iter().map(|&cell| kernel.pointers(cell)).collect())
             },
             cost: |mesh, runs, clock| KernelCost::of::<K>(mesh, runs, clock),
-            topology: |mesh, witness| Ok(topology_with(&K::build(mesh.complex())?, mesh, witness)),
+            topology: |mesh, witness, watch| {
+                watch.look("topology", 0, 0)?;
+                let complex = mesh.complex();
+                watch.look("topology", 0, 0)?;
+                Ok(topology_watched(&K::build(complex)?, mesh, witness, watch)?)
+            },
             generators: |complex, options| Ok(generators(&K::build(complex)?, options)),
             incremental: |complex| {
                 let kernel = K::build(complex)?;
@@ -128,9 +135,14 @@ impl AnyKernel {
     /// The topology of a mesh.
     ///
     /// # Errors
-    /// When it can't hold the mesh.
-    pub fn topology(&self, mesh: &PolygonMesh, witness: Witness) -> Result<TopologyReport, Refusal> {
-        (self.topology)(mesh, witness)
+    /// When it can't hold the mesh, or the watch stops it.
+    pub fn topology(
+        &self,
+        mesh: &PolygonMesh,
+        witness: Witness,
+        watch: &Watch,
+    ) -> Result<TopologyReport, PassError> {
+        (self.topology)(mesh, witness, watch)
     }
 
     /// The closed paths that generate a complex's homology.

@@ -263,4 +263,8 @@ impl SequentialReader<UsualStatements> for Reader<'_> {
     fn is_done(&self) -> bool {
         false
     }
+
+    fn look(&self) -> Result<(), ReadError> {
+        self.source.look(self.at())
+    }
 }

@@ -86,6 +86,10 @@ impl SequentialReader<UsualVertices> for VertexSection<'_, '_> {
     fn is_done(&self) -> bool {
         self.reader.parts.positions.len() == self.count
     }
+
+    fn look(&self) -> Result<(), ReadError> {
+        self.reader.source.look(self.reader.at)
+    }
 }
 
 struct FaceSection<'r, 'a> {
@@ -144,5 +148,9 @@ impl SequentialReader<UsualFaces> for FaceSection<'_, '_> {
 
     fn is_done(&self) -> bool {
         self.reader.parts.faces.face_count() == self.count
+    }
+
+    fn look(&self) -> Result<(), ReadError> {
+        self.reader.source.look(self.reader.at)
     }
 }

@@ -10,7 +10,7 @@ use crate::formats::ply::line_check::LineCheck;
 use crate::formats::ply::scalar::Scalar;
 use crate::formats::ply::usual_rows::ParsedRows;
 use crate::input::source::Source;
-use crate::text::speculative_parse::{SequentialReader, read_speculatively};
+use crate::text::speculative_parse::{SequentialReader, read_alone, read_speculatively};
 use crate::text::{self, is_space, one_or_many};
 
 pub(super) struct TextValues<'a> {
@@ -185,7 +185,7 @@ impl Data for TextValues<'_> {
         let mut rows = RowsLeft { next: self.at, data: self, reader, element, left: element.count };
         match usual {
             Some(table) => read_speculatively(source.bytes, source.pace, &table, &mut rows),
-            None => rows.read_to(source.bytes.len()),
+            None => read_alone(source.bytes, &mut rows),
         }
     }
 
@@ -265,5 +265,9 @@ impl<R: RowReader> SequentialReader<ParsedRows> for RowsLeft<'_, '_, R> {
 
     fn is_done(&self) -> bool {
         self.left == 0
+    }
+
+    fn look(&self) -> Result<(), ReadError> {
+        self.data.source.look(self.next)
     }
 }

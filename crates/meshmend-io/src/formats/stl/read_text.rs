@@ -252,6 +252,10 @@ impl SequentialReader<UsualFacets> for Reader<'_> {
     fn is_done(&self) -> bool {
         false
     }
+
+    fn look(&self) -> Result<(), ReadError> {
+        self.source.look(self.at)
+    }
 }
 
 /// The names of several solids as a face layer. A face of a solid without a name has no value.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use meshmend_core::{CornerId, DraftError, FaceId, Id, PolygonMesh, VertexId};
+use meshmend_core::{CornerId, DraftError, FaceId, Id, PolygonMesh, VertexId, Watch};
 use meshmend_geometry::vector::{Point, is_finite, length, minus};
 use meshmend_spatial::exact::{Sign, are_collinear};
 use meshmend_spatial::{CrossingSearch, Surface, agreement};
@@ -21,8 +21,8 @@ const MOST_STEPS: u32 = 64;
 /// All positions as they become, and what became of each vertex at the place of a lower one.
 ///
 /// # Errors
-/// When the triangles of all faces have more corners than a table holds.
-pub(super) fn moved(mesh: &PolygonMesh) -> Result<(Vec<Point>, Vec<ApartRecord>), PassError> {
+/// When the triangles of all faces have more corners than a table holds, or whoever watches stops it.
+pub(super) fn moved(mesh: &PolygonMesh, watch: &Watch) -> Result<(Vec<Point>, Vec<ApartRecord>), PassError> {
     let mut places = used_places(mesh);
     places.sort_unstable();
     let together: Vec<&[(Place, VertexId)]> =
@@ -43,7 +43,7 @@ pub(super) fn moved(mesh: &PolygonMesh) -> Result<(Vec<Point>, Vec<ApartRecord>)
         }
     }
     records.sort_by_key(|record| record.vertex);
-    let crossing = Crossing { mesh, corners: &moving.corners };
+    let crossing = Crossing { mesh, corners: &moving.corners, watch };
     crossing.take_back(&mut moving.positions, &mut records)?;
     Ok((moving.positions, records))
 }
@@ -78,6 +78,7 @@ struct Crossing<'a> {
     mesh: &'a PolygonMesh,
     /// The corners of those that may have moved, by vertex.
     corners: &'a [(VertexId, CornerId)],
+    watch: &'a Watch,
 }
 
 impl Crossing<'_> {
@@ -117,8 +118,8 @@ impl Crossing<'_> {
     ) -> Result<Vec<Vec<[FaceId; 2]>>, PassError> {
         let faces = self.mesh.faces();
         let mesh = PolygonMesh::new(positions.to_vec(), faces.clone()).map_err(DraftError::from)?;
-        let surface = Surface::of(&mesh)?;
-        let search = CrossingSearch::new(&surface);
+        let surface = Surface::of(&mesh)?.watched(self.watch);
+        let search = CrossingSearch::new(&surface)?;
         let complex = self.mesh.complex().faces();
         let pairs = |vertex: &VertexId| {
             let first = self.corners.partition_point(|(other, _)| other < vertex);

@@ -1,6 +1,6 @@
 //! Which faces go.
 
-use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh};
+use meshmend_core::{Defect, DefectKind, FaceId, PolygonMesh, Watch};
 use meshmend_geometry::vector::{cross, length, minus};
 use meshmend_spatial::{
     Budget, InternalFaces, IntersectionOptions, Nesting, Surface, internal_faces, intersections, nesting,
@@ -40,14 +40,14 @@ impl Going {
 }
 
 /// What is to go of a mesh as it is.
-pub(super) fn judged(options: &DropParts, mesh: &PolygonMesh) -> Result<Judged, PassError> {
-    let surface = Surface::of(mesh)?;
-    let nesting = nesting(&surface);
+pub(super) fn judged(options: &DropParts, mesh: &PolygonMesh, watch: &Watch) -> Result<Judged, PassError> {
+    let surface = Surface::of(mesh)?.watched(watch);
+    let nesting = nesting(&surface)?;
     let inside = match options.internal {
         Internal::Keep => InternalFaces::default(),
         Internal::RemoveComponents | Internal::RemoveFaces => {
             let all = IntersectionOptions { budget: Budget::Tests(u64::MAX), limit: 0 };
-            internal_faces(&surface, &intersections(&surface, all), &nesting).unwrap_or_default()
+            internal_faces(&surface, &intersections(&surface, all)?, &nesting)?.unwrap_or_default()
         }
     };
     let is_inside = inside.whole_components(&nesting);

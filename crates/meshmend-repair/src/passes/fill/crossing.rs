@@ -1,6 +1,6 @@
 //! What covers of holes cross: faces of the mesh, each other, and themselves.
 
-use meshmend_core::VertexId;
+use meshmend_core::{Cancelled, VertexId};
 use meshmend_geometry::polygon::Triangle;
 use meshmend_geometry::vector::Point;
 use meshmend_spatial::boxes::{Bounds, BoxTree, Query};
@@ -9,6 +9,9 @@ use rayon::prelude::*;
 
 use super::hole::{Cover, Hole};
 use super::record::{Crossed, FillCrossing};
+
+/// Triangles of covers between two looks.
+const BETWEEN_LOOKS: usize = 256;
 
 /// A hole with its cover, if it has one.
 pub(super) type Covered<'a> = (&'a Hole<'a>, Option<&'a Cover>);
@@ -24,15 +27,24 @@ struct Piece {
 /// For each hole the first thing that its cover crosses: of faces of the surface; of itself; and of the covers before it that
 /// are made, as `is_made` says of what each crosses.
 ///
+/// # Errors
+/// When whoever watches the surface stops it.
+///
 /// *Cost*: O(n log n), and a comparison for each pair of boxes that overlap.
 pub(super) fn crossings(
     surface: &Surface<'_>,
     holes: &[Covered<'_>],
     is_made: impl Fn(Option<&FillCrossing>) -> bool,
-) -> Vec<Option<FillCrossing>> {
+) -> Result<Vec<Option<FillCrossing>>, Cancelled> {
     let pieces = pieces(holes);
-    let search = CrossingSearch::new(surface);
-    let faces: Vec<_> = pieces.par_iter().map(|piece| search.first_crossing(piece.points)).collect();
+    let search = CrossingSearch::new(surface)?;
+    let first = |(place, piece): (usize, &Piece)| {
+        if place.is_multiple_of(BETWEEN_LOOKS) {
+            surface.watch().look("fill", place, pieces.len())?;
+        }
+        Ok(search.first_crossing(piece.points))
+    };
+    let faces = pieces.par_iter().enumerate().map(first).collect::<Result<Vec<_>, Cancelled>>()?;
     let mut found: Vec<Option<FillCrossing>> = vec![None; holes.len()];
     for (piece, face) in pieces.iter().zip(&faces) {
         if let (Some(face), None) = (face, &found[piece.hole]) {
@@ -48,7 +60,7 @@ pub(super) fn crossings(
             found[one.hole] = Some(crossing(holes, one, Crossed::Fill(first)));
         }
     }
-    found
+    Ok(found)
 }
 
 fn pieces(holes: &[Covered<'_>]) -> Vec<Piece> {

@@ -14,7 +14,7 @@ use super::judging::Judged;
 use super::places::TrianglesByPlace;
 use super::record::{FillCrossing, LeftOpen, LoopFate, LoopRecord};
 use super::{CrossingFills, Fill};
-use crate::{Clearance, Context, PassError};
+use crate::{Context, PassError};
 
 /// What a round of filling gives.
 pub(super) struct Filled {
@@ -35,11 +35,13 @@ pub(super) fn filled(
 ) -> Result<Filled, PassError> {
     let holes: Vec<Hole<'_>> =
         judged.par_iter().filter_map(|judged| Some(Hole::of(mesh, judged.verdict.as_ref().ok()?))).collect();
+    context.check_cancelled()?;
     let mut built = Built::of(mesh);
+    context.check_cancelled()?;
     let mut fates = Vec::new();
     if !holes.is_empty() {
         let mut room = GatheredRoom::new(|| context.clearance.free_points(mesh));
-        let choices = choices(options, mesh, &holes, context.clearance).into_iter();
+        let choices = choices(options, mesh, &holes, context)?.into_iter();
         let covers: Vec<Result<Cover, LeftOpen>> =
             choices.zip(&holes).map(|(choice, hole)| hole.cover(choice, &mut room)).collect();
         context.check_cancelled()?;
@@ -47,7 +49,7 @@ pub(super) fn filled(
             holes.iter().zip(covers.iter().map(|cover| cover.as_ref().ok())).collect();
         let is_made =
             |crossing: Option<&FillCrossing>| options.crossing == CrossingFills::Keep || crossing.is_none();
-        let crossings = crossings(&Surface::of(mesh)?, &covered, is_made);
+        let crossings = crossings(&Surface::of(mesh)?.watched(context.watch()), &covered, is_made)?;
         for ((hole, cover), crossing) in holes.iter().zip(&covers).zip(crossings) {
             let made = cover.as_ref().ok().filter(|_| is_made(crossing.as_ref()));
             made.iter().for_each(|cover| built.add(hole, cover));
@@ -73,20 +75,32 @@ pub(super) fn filled(
 ///
 /// Holes whose vertices have places of their own can't get the same triangles, so they are looked at all at once; the others one
 /// after another.
-fn choices(options: &Fill, mesh: &PolygonMesh, holes: &[Hole<'_>], clearance: Clearance) -> Vec<Choice> {
+fn choices(
+    options: &Fill,
+    mesh: &PolygonMesh,
+    holes: &[Hole<'_>],
+    context: &Context<'_>,
+) -> Result<Vec<Choice>, PassError> {
     let edges = Edges::new(Cow::Borrowed(mesh.complex().edges().all_ends()), mesh.counts().vertices);
-    let mut there = TrianglesByPlace::of(mesh, clearance);
-    let at_once = |hole: &Hole<'_>| hole.is_apart(&there).then(|| hole.choice(options, &edges, &there));
-    let first: Vec<Option<Choice>> = holes.par_iter().map(at_once).collect();
+    let mut there = TrianglesByPlace::of(mesh, context.clearance);
+    context.check_cancelled()?;
+    let at_once = |(place, hole): (usize, &Hole<'_>)| {
+        context.look(place, holes.len())?;
+        Ok(hole.is_apart(&there).then(|| hole.choice(options, &edges, &there)))
+    };
+    let first =
+        holes.par_iter().enumerate().map(at_once).collect::<Result<Vec<Option<Choice>>, PassError>>()?;
     let in_turn = |(choice, hole): (Option<Choice>, &Hole<'_>)| {
-        choice.unwrap_or_else(|| {
-            let choice = hole.choice(options, &edges, &there);
-            if let Choice::Triangles(fill) = &choice {
-                let triangles = fill.triangles.iter().map(|t| t.map(|corner| hole.vertices[corner]));
-                triangles.for_each(|triangle| there.add(triangle));
-            }
-            choice
-        })
+        if let Some(choice) = choice {
+            return Ok(choice);
+        }
+        context.check_cancelled()?;
+        let choice = hole.choice(options, &edges, &there);
+        if let Choice::Triangles(fill) = &choice {
+            let triangles = fill.triangles.iter().map(|t| t.map(|corner| hole.vertices[corner]));
+            triangles.for_each(|triangle| there.add(triangle));
+        }
+        Ok(choice)
     };
     first.into_iter().zip(holes).map(in_turn).collect()
 }

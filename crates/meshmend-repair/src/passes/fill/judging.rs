@@ -38,24 +38,30 @@ pub(super) fn judged(
     mesh: &PolygonMesh,
     context: &Context<'_>,
 ) -> Result<Vec<Judged>, PassError> {
-    Ok(context.kernel.run_on_all_vertices(mesh.complex(), Judge { options, mesh })?)
+    let complex = mesh.complex();
+    context.check_cancelled()?;
+    context.kernel.run_on_all_vertices(complex, Judge { options, mesh, context })?
 }
 
 struct Judge<'a> {
     options: &'a Fill,
     mesh: &'a PolygonMesh,
+    context: &'a Context<'a>,
 }
 
 impl KernelTask for Judge<'_> {
-    type Output = Vec<Judged>;
+    type Output = Result<Vec<Judged>, PassError>;
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
+        self.context.check_cancelled()?;
         let loops = open_loops(kernel, self.mesh);
         if loops.is_empty() {
-            return Vec::new();
+            return Ok(Vec::new());
         }
+        self.context.check_cancelled()?;
         let borders = Borders::of(kernel);
         let diagonals = self.diagonals(kernel);
+        self.context.check_cancelled()?;
         let judge = |found: OpenLoop| {
             let reason = self.reason_to_leave(&found, &diagonals);
             let sides = || self.sides(kernel, &borders, &found.vertices).ok_or(LeftOpen::NotSimple);
@@ -65,7 +71,7 @@ impl KernelTask for Judge<'_> {
             });
             Judged { found, verdict }
         };
-        loops.into_iter().map(judge).collect()
+        Ok(loops.into_iter().map(judge).collect())
     }
 }
 

@@ -1,5 +1,7 @@
 //! Whatever is parsed ahead, and wherever chunks end, the result is that of the sequential reader alone.
 
+use meshmend_core::Watch;
+
 use super::random::Random;
 use crate::formats::drivers::driver;
 use crate::input::source::Source;
@@ -23,7 +25,14 @@ const ODDITIES: [Oddity; 5] = [
 
 /// The result of a reader, down to the bits of each number.
 fn outcome(format: Format, text: &str, pace: Pace, limits: &Limits) -> String {
-    let source = Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace, folder: None };
+    let source = Source {
+        bytes: text.as_bytes(),
+        length: text.len(),
+        name: "text",
+        pace,
+        folder: None,
+        watch: &Watch::NOBODY,
+    };
     match (driver(format).read)(&source, limits) {
         Ok(parsed) => {
             format!("{:?} {:?} {:?}", parsed.parts[0].mesh, parsed.shell.encoding(), parsed.notes.into_list())
@@ -47,8 +56,14 @@ fn assert_as_alone(format: Format, text: &str, chunks: &[usize]) {
 /// The usual limits, and for each count what a text has, and one less.
 fn limits_of(format: Format, text: &str) -> Vec<Limits> {
     let usual = Limits::default();
-    let source =
-        Source { bytes: text.as_bytes(), length: text.len(), name: "text", pace: Pace::NONE, folder: None };
+    let source = Source {
+        bytes: text.as_bytes(),
+        length: text.len(),
+        name: "text",
+        pace: Pace::NONE,
+        folder: None,
+        watch: &Watch::NOBODY,
+    };
     let Ok(parsed) = (driver(format).read)(&source, &usual) else { return vec![usual] };
     let counts = parsed.parts[0].mesh.counts();
     let corners = parsed.parts[0].mesh.faces().corner_count() as u64;
