@@ -82,7 +82,7 @@ fn it_is_explained_and_fails_a_check_when_it_is_named() {
     let scratch = Scratch::new();
     let (crowded, roomy) = (scratch.file("crowded.obj", &fan(13)), scratch.file("roomy.obj", &fan(12)));
     let code = rules().own().next().unwrap().code();
-    assert_eq!(run(&["check", &crowded, "--fail-on", code]).0, Status::DefectsFound);
+    assert_eq!(run(&["check", &crowded, "--fail-on", code]).0, Status::Failing);
     assert_eq!(run(&["check", &roomy, "--fail-on", code]).0, Status::Done);
     let (status, _, errors) = run(&["check", &roomy, "--fail-on", "no-such-kind"]);
     assert!(status == Status::Usage && errors.contains(code), "{errors}");

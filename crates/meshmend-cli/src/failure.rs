@@ -12,8 +12,8 @@ use meshmend::{PassError, ReadError, WriteError};
 pub enum Status {
     /// The work is done.
     Done = 0,
-    /// A check found defects, or what `--fail-on` names.
-    DefectsFound = 1,
+    /// A check found defects, or a file is what `--fail-on` names.
+    Failing = 1,
     /// The command line, a plan or a format is wrong.
     Usage = 2,
     /// An input can't be read.
@@ -33,7 +33,7 @@ impl Status {
     fn rank(self) -> u8 {
         match self {
             Status::Done => 0,
-            Status::DefectsFound => 1,
+            Status::Failing => 1,
             Status::Refused => 2,
             Status::Unreadable => 3,
             Status::Unwritable => 4,
@@ -147,8 +147,8 @@ mod tests {
 
     #[test]
     fn of_two_pieces_of_work_the_worse_counts() {
-        use Status::{DefectsFound, Done, Refused, Unreadable, Unwritable, Usage};
-        let worse_and_worse = [Done, DefectsFound, Refused, Unreadable, Unwritable, Usage];
+        use Status::{Done, Failing, Refused, Unreadable, Unwritable, Usage};
+        let worse_and_worse = [Done, Failing, Refused, Unreadable, Unwritable, Usage];
         for (rank, &worse) in worse_and_worse.iter().enumerate() {
             for &better in &worse_and_worse[..=rank] {
                 assert_eq!((better.and(worse), worse.and(better)), (worse, worse));

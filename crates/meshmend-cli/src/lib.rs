@@ -8,6 +8,7 @@ mod commands;
 mod console;
 mod failure;
 mod format_words;
+mod gate_words;
 mod geometry_words;
 mod output_words;
 mod outputs;
@@ -39,7 +40,7 @@ use crate::threads::Pool;
 const EXIT_STATUS: &str = "\
 Exit status:
   0  done; also when a repair left what it names, such as a non-orientable patch
-  1  check: defects were found, or what --fail-on names
+  1  check found defects, or a file is what --fail-on names
   2  the command line or a plan is wrong, or the output's format can't be written
   3  an input can't be read, or its format is not known
   4  an output can't be written

@@ -5,6 +5,7 @@ use meshmend::Rules;
 use meshmend::files::{FileRepair, Maps};
 
 use crate::failure::Failure;
+use crate::gate_words::GateWords;
 use crate::geometry_words::GeometryWords;
 use crate::policies::Policies;
 use crate::words;
@@ -22,6 +23,8 @@ pub(crate) struct RepairWords {
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
     #[command(flatten)]
+    pub(crate) gate: GateWords,
+    #[command(flatten)]
     geometry: GeometryWords,
     #[command(flatten)]
     pub(crate) policies: Policies,
@@ -35,7 +38,8 @@ impl RepairWords {
         repair.kernel = words::kernel(&self.kernel)?;
         repair.rules = rules;
         repair.limit = self.limit;
-        repair.geometry = self.geometry.options(&[], usize::MAX)?;
+        repair.gate = self.gate.gate(rules)?;
+        repair.geometry = self.geometry.options(&repair.gate.defects(), usize::MAX)?;
         repair.maps = if self.report_maps { Maps::Whole } else { Maps::LeftOut };
         Ok(repair)
     }

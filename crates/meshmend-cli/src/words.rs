@@ -7,8 +7,7 @@ use std::path::Path;
 
 use meshmend::shapes::{NAMED_SHAPES, NamedShape};
 use meshmend::{
-    AnyKernel, DefectKind, Distance, EdgeId, FaceId, Format, KernelKind, Kernels, PolygonMesh, ReadFile,
-    Rules, VertexId, View,
+    AnyKernel, Distance, EdgeId, FaceId, Format, KernelKind, Kernels, PolygonMesh, ReadFile, VertexId, View,
 };
 
 use crate::failure::Failure;
@@ -183,14 +182,6 @@ pub(crate) fn field(word: &str) -> Result<Field, String> {
     }
 }
 
-/// Reads the code of a kind of defect.
-pub(crate) fn defect_kind(rules: Rules, word: &str) -> Result<DefectKind, Failure> {
-    rules.kind(word).ok_or_else(|| {
-        let codes: Vec<&str> = rules.kinds().map(DefectKind::code).collect();
-        Failure::usage(format!("there is no kind of defect `{word}`; the kinds are {}", codes.join(", ")))
-    })
-}
-
 /// Reads the name of a shape.
 pub(crate) fn shape(word: &str) -> Result<&'static NamedShape, String> {
     NamedShape::from_name(word).ok_or_else(|| {
@@ -284,8 +275,6 @@ mod tests {
     fn an_unknown_word_is_answered_with_the_known_ones() {
         let unknown = kernel("edge").unwrap_err();
         assert!(unknown.message.contains("its kernels are edge-use, "));
-        let unknown = defect_kind(Rules::builtin(), "hole").unwrap_err();
-        assert!(unknown.message.contains("the kinds are degenerate-face, "));
         assert_eq!(kernel("edge-use").unwrap(), KernelKind::EdgeUse);
         let unknown = any_kernel(Kernels::builtin(), "edge").unwrap_err();
         assert!(unknown.message.starts_with("there is no kernel `edge`; the kernels are edge-use, "));

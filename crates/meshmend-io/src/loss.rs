@@ -3,7 +3,7 @@
 use std::fmt;
 
 use meshmend_core::{Domain, Layer};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Something of a mesh that a written file lacks, or holds inexactly.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -37,7 +37,7 @@ impl LostLayer {
 }
 
 /// The kinds of loss, with stable names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum LossKind {

@@ -209,6 +209,7 @@ mod by_name;
 mod check;
 mod check_options;
 pub mod files;
+mod gate;
 mod geometry_questions;
 mod loops;
 mod matrix_questions;
@@ -237,6 +238,7 @@ pub use meshmend_topology::matrices;
 pub use by_name::{NamedReport, check_by_name};
 pub use check::{CheckReport, KernelVerdict, StoredCounts, check, check_in};
 pub use check_options::CheckOptions;
+pub use gate::{Criterion, Failing, Gate, UnknownCriterion};
 pub use geometry_questions::{
     GeometryChange, GeometryChanges, GeometryMarks, GeometryOptions, GeometryReport, Question, Questions,
 };

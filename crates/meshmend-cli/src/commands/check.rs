@@ -13,6 +13,7 @@ use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
+use crate::gate_words::{Asks, gate_of};
 use crate::geometry_words::GeometryWords;
 use crate::parts::{PartWords, PlacingWord};
 use crate::render;
@@ -79,9 +80,7 @@ impl From<WitnessWord> for Witness {
 
 impl Check {
     pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
-        let fail_on: Result<Vec<_>, _> =
-            self.fail_on.iter().map(|word| words::defect_kind(program.rules, word)).collect();
-        let fail_on = fail_on?;
+        let fail_on = gate_of(&self.fail_on, program.rules, Asks::Defects)?.defects();
         let options = CheckOptions::default()
             .with_kernel(words::any_kernel(program.kernels, &self.kernel)?)
             .with_kernels(program.kernels)
@@ -150,7 +149,7 @@ impl Check {
                 .map_err(|error| Failure::of_pass(&name(path), &error))?;
             let fail_on = asked.failing_kinds(&document.parts[part]);
             let is_failing = Asked::is_failing(&report, &fail_on);
-            status = status.and(if is_failing { Status::DefectsFound } else { Status::Done });
+            status = status.and(if is_failing { Status::Failing } else { Status::Done });
             let report = CheckDocument::new(report.listing(&fail_on), self.limit);
             reports.push((part, Some(report)));
         }
@@ -177,7 +176,7 @@ impl Check {
             reports.into_iter().enumerate().filter(|(number, _)| chosen.binary_search(number).is_ok())
         {
             status = status.and(if Asked::is_failing(&named.report, &asked.fail_on) {
-                Status::DefectsFound
+                Status::Failing
             } else {
                 Status::Done
             });

@@ -3,11 +3,17 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use meshmend::formats::{ColorElements, Document, NoteKind, PreparedDocument, WriteError, decode_stl_colors};
-use meshmend::{Format, WriteOptions};
+use meshmend::formats::{
+    ColorElements, Document, Loss, NoteKind, PreparedDocument, WriteError, decode_stl_colors,
+};
+use meshmend::{
+    CheckOptions, Criterion, Failing, Format, Gate, GeometryOptions, Question, Questions, Rules, View,
+    WriteOptions, check,
+};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
+use crate::gate_words::{self, GateWords};
 use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
 use crate::parts::PlacingWord;
@@ -35,6 +41,8 @@ pub(crate) struct Convert {
     from: InputWords,
     #[command(flatten)]
     words: OutputWords,
+    #[command(flatten)]
+    gate: GateWords,
 }
 
 /// What attribute bytes of facets become.
@@ -47,7 +55,8 @@ enum StlColors {
 }
 
 impl Convert {
-    pub(crate) fn run(self, console: &mut Console<'_>) -> Result<Status, Failure> {
+    pub(crate) fn run(self, rules: Rules, console: &mut Console<'_>) -> Result<Status, Failure> {
+        let gate = self.gate.conversion(rules)?;
         self.words.check(&self.output)?;
         Files::of_mesh(&self.input).writing("the output", Some(&self.output), Content::Mesh).check()?;
         self.check_colors(self.words.format(&self.output, None).ok())?;
@@ -61,12 +70,48 @@ impl Convert {
         progress.step("write");
         let failed = |kind| WriteError { file: output_name(&self.output), kind };
         let prepared = PreparedDocument::placed(&document, &options, self.place.into()).map_err(failed)?;
-        write_document(&self.output, &prepared, console)?;
+        let losses = prepared.losses();
+        let failing = self.failing(&gate, rules, &document, &losses)?;
+        let is_withheld = self.gate.withholds(&failing);
+        if !is_withheld {
+            write_document(&self.output, &prepared, console)?;
+        }
         drop(progress);
         let (input, output) = (name(&self.input), output_name(&self.output));
-        let text = render::conversion(&input, &output, &document, &prepared.losses());
-        console.write(&(text + self.hint(&document, &options)))?;
-        Ok(Status::Done)
+        if !is_withheld {
+            let text = render::conversion(&input, &output, &document, &losses);
+            console.write(&(text + self.hint(&document, &options)))?;
+        }
+        Ok(gate_words::judged(&input, &failing, !is_withheld, console))
+    }
+
+    /// What of the file fails the run: the defects that a check of it counts, and the losses.
+    fn failing(
+        &self,
+        gate: &Gate,
+        rules: Rules,
+        document: &Document,
+        losses: &[Loss],
+    ) -> Result<Vec<Failing>, Failure> {
+        let kinds = gate.defects();
+        let mut found = vec![0; kinds.len()];
+        if !kinds.is_empty() {
+            let needed: Questions = kinds.iter().filter_map(|&kind| Question::about(kind)).collect();
+            let geometry = (!needed.is_empty()).then(|| GeometryOptions::default().asking(needed));
+            for part in document.parts.iter().filter(|part| part.seal().is_none()) {
+                let view = View::usual_for_part(document.format, part);
+                let options =
+                    CheckOptions::default().with_rules(rules).with_view(view).with_geometry(geometry);
+                let report = check(&part.mesh, &options)
+                    .map_err(|error| Failure::of_pass(&name(&self.input), &error))?;
+                found.iter_mut().zip(&kinds).for_each(|(found, &kind)| *found += report.count(kind) as u64);
+            }
+        }
+        let of_kind = |kind| kinds.iter().position(|&known| known == kind).map_or(0, |place| found[place]);
+        Ok(gate.failing(|criterion| match criterion {
+            Criterion::Defect(kind) => of_kind(kind),
+            other => other.count_in(losses),
+        }))
     }
 
     /// Fails when colours are to be decoded for a format that keeps them as they are.

@@ -103,7 +103,7 @@ impl Command {
         match self {
             Command::Check(command) => command.run(program, console),
             Command::Repair(command) => command.run(rules, console),
-            Command::Convert(command) => command.run(console),
+            Command::Convert(command) => command.run(rules, console),
             Command::Loops(command) => command.run(console),
             Command::Cut(command) => command.run(console),
             #[cfg(feature = "render")]

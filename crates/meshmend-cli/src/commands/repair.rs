@@ -11,6 +11,7 @@ use meshmend::formats::{Document, replace_file};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
+use crate::gate_words;
 use crate::output_words::OutputWords;
 use crate::outputs::{Content, Files};
 use crate::parts::PartWords;
@@ -61,18 +62,25 @@ impl Repair {
         progress.step("read");
         let document = self.from.read_document(&self.input, console)?;
         let target = self.target(&document)?;
-        let repaired = repair.run(&name(&self.input), document, target.as_ref(), &progress.watch())?;
-        self.write(&repaired, console)?;
+        let mut repaired = repair.run(&name(&self.input), document, target.as_ref(), &progress.watch())?;
+        let is_withheld = self.words.gate.withholds(repaired.failing());
+        if is_withheld {
+            repaired.withhold();
+        }
+        self.write(&repaired, is_withheld, console)?;
         drop(progress);
         console.write(&self.text(&repaired, console.style())?)?;
-        Ok(Status::Done)
+        let is_written = !is_withheld && !self.dry_run;
+        Ok(gate_words::judged(&name(&self.input), repaired.failing(), is_written, console))
     }
 
     /// How the file is repaired. What is wrong with the command line is told before anything is read.
     fn repair(&self, rules: Rules) -> Result<FileRepair, Failure> {
         let mut repair = self.words.repair(rules)?;
         repair.parts = self.parts.choice();
-        repair.judged = match (self.quiet, self.makes_json()) {
+        let is_judged =
+            self.makes_json() || !repair.gate.defects().is_empty() || repair.gate.asks_what_is_left();
+        repair.judged = match (self.quiet, is_judged) {
             (false, _) => Judged::BeforeAndAfter,
             (true, true) => Judged::After,
             (true, false) => Judged::Neither,
@@ -124,9 +132,15 @@ impl Repair {
 
     /// Writes the mesh and the report, or in a dry run the report alone. The report is written first and takes its
     /// place last: there is no report on a mesh that was not written, and no mesh where the report can't be.
-    fn write(&self, repaired: &RepairedFile, console: &mut Console<'_>) -> Result<(), Failure> {
-        let Some(report) = &self.report else { return self.write_mesh(repaired, console) };
-        self.write_report(report, &report_line(repaired)?, || self.write_mesh(repaired, console))
+    fn write(
+        &self,
+        repaired: &RepairedFile,
+        is_withheld: bool,
+        console: &mut Console<'_>,
+    ) -> Result<(), Failure> {
+        let mut write_mesh = || if is_withheld { Ok(()) } else { self.write_mesh(repaired, console) };
+        let Some(report) = &self.report else { return write_mesh() };
+        self.write_report(report, &report_line(repaired)?, write_mesh)
     }
 
     /// Writes a report round the writing of what it is about.

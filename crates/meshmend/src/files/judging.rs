@@ -1,6 +1,6 @@
 //! What a repair's report says of a mesh before and after.
 
-use meshmend_core::{Rules, Watch};
+use meshmend_core::{DefectKind, Rules, Watch};
 use meshmend_repair::{PassError, Repaired, Session};
 
 use crate::report::{CheckDocument, RepairDocument};
@@ -20,13 +20,15 @@ pub enum Judged {
 }
 
 /// How meshes are judged before a repair and after it.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) struct Judging {
     pub(super) rules: Rules,
     /// How many items each list shows.
     pub(super) limit: usize,
     /// What is asked about where the faces lie.
     pub(super) geometry: Option<GeometryOptions>,
+    /// Kinds of defect that are listed beside the usual ones.
+    pub(super) listed: Vec<DefectKind>,
 }
 
 /// What a mesh was before a repair.
@@ -67,9 +69,10 @@ impl Judging {
     }
 
     fn with_geometry(&self, report: CheckReport, watch: &Watch) -> Result<CheckReport, PassError> {
-        match &self.geometry {
-            Some(options) => report.with_geometry(options, watch),
-            None => Ok(report),
-        }
+        let report = match &self.geometry {
+            Some(options) => report.with_geometry(options, watch)?,
+            None => report,
+        };
+        Ok(report.listing(&self.listed))
     }
 }

@@ -7,7 +7,7 @@ use meshmend_repair::{PassKind, Pipeline, Plan, Precision, TriangulateFaces};
 
 use super::judging::Judging;
 use super::{FileError, FileTarget, Judged, PartChoice, RepairedFile};
-use crate::GeometryOptions;
+use crate::{Gate, GeometryOptions};
 
 /// How a file is repaired, and what is said of it.
 #[derive(Clone, Debug)]
@@ -31,6 +31,8 @@ pub struct FileRepair {
     pub maps: Maps,
     /// Which parts of the file are repaired.
     pub parts: PartChoice,
+    /// What of the result fails the run.
+    pub gate: Gate,
 }
 
 /// What is done to polygons for an output that holds only triangles.
@@ -78,6 +80,7 @@ impl FileRepair {
             limit: USUAL_LIMIT,
             maps: Maps::default(),
             parts: PartChoice::default(),
+            gate: Gate::default(),
         }
     }
 
@@ -96,11 +99,13 @@ impl FileRepair {
         target: Option<&FileTarget>,
         watch: &Watch,
     ) -> Result<RepairedFile, FileError> {
-        if self.is_by_parts(&document) {
-            let repaired = self.run_by_parts(name, document, target, watch);
-            return repaired.map(|parts| RepairedFile::Parts(Box::new(parts)));
-        }
-        self.run_as_one(name, document, target, watch).map(|mesh| RepairedFile::Mesh(Box::new(mesh)))
+        let mut repaired = if self.is_by_parts(&document) {
+            RepairedFile::Parts(Box::new(self.run_by_parts(name, document, target, watch)?))
+        } else {
+            RepairedFile::Mesh(Box::new(self.run_as_one(name, document, target, watch)?))
+        };
+        repaired.pass_through(&self.gate);
+        Ok(repaired)
     }
 
     /// Whether the parts of a file are repaired each by itself.
@@ -110,7 +115,7 @@ impl FileRepair {
 
     /// How meshes are judged.
     pub(super) fn judging(&self) -> Judging {
-        Judging { rules: self.rules, limit: self.limit, geometry: self.geometry }
+        Judging { rules: self.rules, limit: self.limit, geometry: self.geometry, listed: self.gate.defects() }
     }
 
     /// The passes of the plan, for what an output can hold.

@@ -6,6 +6,7 @@ use meshmend_repair::Repaired;
 
 use super::{FileTarget, PreparedFile};
 use crate::report::{PartsDocument, RepairDocument, json};
+use crate::{Criterion, Failing, Gate};
 
 /// A file that was repaired.
 #[derive(Debug)]
@@ -44,6 +45,8 @@ pub struct RepairedParts {
     pub parts: Vec<(usize, PartOutcome)>,
     /// What the output does not carry.
     pub losses: Vec<Loss>,
+    /// What of it fails the run.
+    pub failing: Vec<Failing>,
     /// The file with its one mesh again, where that was taken apart by the names of its faces.
     pub whole: Option<Document>,
     /// The file ready to be written, if there is a target.
@@ -104,6 +107,64 @@ impl RepairedFile {
         }
     }
 
+    /// What of it fails the run, by the gate that it was repaired for.
+    pub fn failing(&self) -> &[Failing] {
+        match self {
+            RepairedFile::Mesh(mesh) => &mesh.report.failing,
+            RepairedFile::Parts(parts) => &parts.failing,
+        }
+    }
+
+    /// Finds what of it fails the run.
+    pub(super) fn pass_through(&mut self, gate: &Gate) {
+        let failing = gate.failing(|criterion| self.count(criterion));
+        match self {
+            RepairedFile::Mesh(mesh) => mesh.report.failing = failing,
+            RepairedFile::Parts(parts) => parts.failing = failing,
+        }
+    }
+
+    /// How many elements meet a criterion. Defects are those of the result; it must have been judged.
+    pub fn count(&self, criterion: Criterion) -> u64 {
+        let reports = self.reports();
+        match criterion {
+            Criterion::Defect(kind) => {
+                let after = reports.iter().filter_map(|report| report.after.as_ref()?.group(kind));
+                after.map(|group| group.count).sum()
+            }
+            Criterion::Loss(_) => criterion.count_in(self.losses()),
+            Criterion::Removed => reports.iter().map(|report| report.removed_faces.count).sum(),
+            Criterion::Changed => self.is_changed().into(),
+            Criterion::Left => self.left(),
+        }
+    }
+
+    /// How much is named as left: defects of the result, what passes say that they could not mend where no defect tells of it,
+    /// and parts that were not repaired.
+    pub fn left(&self) -> u64 {
+        let unrepaired = match self {
+            RepairedFile::Mesh(_) => 0,
+            RepairedFile::Parts(parts) => {
+                parts.parts.iter().filter(|(_, part)| part.report().is_none()).count()
+            }
+        };
+        self.reports().iter().map(|report| report.left()).sum::<u64>() + unrepaired as u64
+    }
+
+    /// Says that the output is not written after all.
+    pub fn withhold(&mut self) {
+        match self {
+            RepairedFile::Mesh(mesh) => {
+                let report = &mut mesh.report;
+                report.output = None;
+                if let Some(after) = &mut report.after {
+                    (after.file, after.format) = (None, None);
+                }
+            }
+            RepairedFile::Parts(parts) => parts.output = None,
+        }
+    }
+
     /// What is ready to be written, if there was a target.
     pub fn prepared(&self) -> Option<&PreparedFile> {
         match self {
@@ -130,7 +191,8 @@ impl RepairedFile {
 impl RepairedParts {
     pub(super) fn new(name: &str, document: Document, parts: Vec<(usize, PartOutcome)>) -> Self {
         let (name, losses) = (name.to_owned(), Vec::new());
-        RepairedParts { name, output: None, document, parts, losses, whole: None, prepared: None }
+        let failing = Vec::new();
+        RepairedParts { name, output: None, document, parts, losses, failing, whole: None, prepared: None }
     }
 
     /// The document that is written.
@@ -162,6 +224,9 @@ impl RepairedParts {
         together.say("output", &self.output)?;
         together.say("notes", &self.document.notes)?;
         together.say("losses", &self.losses)?;
+        if !self.failing.is_empty() {
+            together.say("failing", &self.failing)?;
+        }
         Ok(together)
     }
 }

@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 
 use meshmend_core::{
-    Aspect, Blend, DefectKind, Differences, Domain, FaceId, Id, Layer, PolygonMesh, Provenance, Sources,
-    Values, VertexId,
+    Aspect, Blend, DefectKind, Differences, Domain, FaceId, Id, Layer, PolygonMesh, Provenance, Severity,
+    Sources, Values, VertexId,
 };
 use meshmend_io::{Loss, Note};
 use meshmend_repair::{EmptiedName, PassKind, RemovedFace, Repaired, Rounding, emptied_names};
 use serde::Serialize;
 
 use super::{CheckDocument, Listing, PassDocument, SCHEMA};
-use crate::{GeometryChanges, StoredCounts};
+use crate::{Failing, GeometryChanges, StoredCounts};
 
 /// What a repair did, with every list cut to a limit.
 #[derive(Clone, Debug, Serialize)]
@@ -53,6 +53,9 @@ pub struct RepairDocument {
     pub created_faces: Listing<CreatedFace>,
     /// What the written format can't carry.
     pub losses: Vec<Loss>,
+    /// What of the result fails the run, if anything was to.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub failing: Vec<Failing>,
     /// Where each element came from, if that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub provenance: Option<ProvenanceDocument>,
@@ -199,9 +202,22 @@ impl RepairDocument {
             created_vertices: Listing::cut(created.map(|&(vertex, _)| vertex), limit),
             created_faces: Listing::cut(created_faces(repaired), limit),
             losses: Vec::new(),
+            failing: Vec::new(),
             provenance: None,
             geometry_changes: None,
         }
+    }
+}
+
+impl RepairDocument {
+    /// How many defects are left, or where the result was not judged, how many the passes say that they left. Notes don't count.
+    pub fn left(&self) -> u64 {
+        let is_defect = |kind: DefectKind| kind.severity() == Severity::Defect;
+        let after = self.after.iter().flat_map(|after| &after.defects);
+        let defects: u64 = after.filter(|group| is_defect(group.kind)).map(|group| group.count).sum();
+        let named = self.passes.iter().flat_map(|pass| &pass.left);
+        let named: u64 = named.filter(|(kind, _)| is_defect(**kind)).map(|(_, left)| left.count).sum();
+        if defects > 0 { defects } else { named }
     }
 }
 

@@ -56,21 +56,31 @@ fn read_owned(bytes: Vec<u8>, source: &Source<'_>, limits: &Limits) -> Result<Pa
     let mut notes = Notes::default();
     let beside = Beside { folder: source.folder, limits };
     let file = File::open(bytes, beside, &mut notes).map_err(|fault| fault.in_file(source))?;
-    let parts = parts(&file, limits, &mut notes).map_err(|fault| fault.in_file(source))?;
+    let parts = parts(&file, source, limits, &mut notes)?;
     let shell = Shell::of_file(file.format(), Encoding::LittleEndian, GltfShape::of(file));
     Ok(Parsed { parts, notes, shell })
 }
 
-fn parts(file: &File, limits: &Limits, notes: &mut Notes) -> Result<Vec<Part>, Fault> {
-    let (asset, bytes) = (file.asset()?, file.buffers());
-    roots(&asset, &nodes(&asset)?)?;
+fn parts(
+    file: &File,
+    source: &Source<'_>,
+    limits: &Limits,
+    notes: &mut Notes,
+) -> Result<Vec<Part>, ReadError> {
+    let found = |fault: Fault| fault.in_file(source);
+    let (asset, bytes) = (file.asset().map_err(found)?, file.buffers());
+    let nodes = nodes(&asset).map_err(found)?;
+    roots(&asset, &nodes).map_err(found)?;
     let mut reading = Reading { asset: &asset, bytes: &bytes, limits, notes, sizes: Sizes::default() };
-    let parts: Vec<Part> =
-        (0..asset.meshes.len()).map(|index| reading.part(index)).collect::<Result<_, Fault>>()?;
+    let mut parts = Vec::with_capacity(asset.meshes.len());
+    for index in 0..asset.meshes.len() {
+        source.look(0)?;
+        parts.push(reading.part(index).map_err(found)?);
+    }
     if let Some(reason) = parts.first().and_then(Part::seal)
         && parts.iter().all(|part| part.seal().is_some())
     {
-        return Err(Pointer::item("meshes", 0).fault(reason));
+        return Err(found(Pointer::item("meshes", 0).fault(reason)));
     }
     let positions = || parts.iter().flat_map(|part| part.mesh.positions());
     let infinite = positions().filter(|p| !p.iter().all(|x| x.is_finite())).count() as u64;

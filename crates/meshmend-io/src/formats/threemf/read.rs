@@ -36,8 +36,8 @@ fn found(source: &Source<'_>, limits: &Limits) -> Result<Parsed, Fault> {
     let mut reader = Reader {
         bytes: source.bytes,
         directory: &directory,
-        budget: Budget::of(limits.max_inflated_bytes),
-        counts: Counts::of(limits),
+        budget: Budget::of(limits.max_inflated_bytes).watched(source.watch),
+        counts: Counts::of(limits, source.watch),
         models: Vec::new(),
         extras: Extras::default(),
     };
@@ -110,7 +110,7 @@ fn notes_of(parts: &[crate::Part]) -> Notes {
 struct Reader<'a, 'l> {
     bytes: &'a [u8],
     directory: &'a Directory,
-    budget: Budget,
+    budget: Budget<'l>,
     counts: Counts<'l>,
     models: Vec<Model>,
     extras: Extras,

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use meshmend_core::printable;
+use meshmend_core::{Cancelled, printable};
 
 use crate::input::source::Source;
 use crate::{Place, ReadError, ReadErrorKind};
@@ -29,6 +29,11 @@ impl Fault {
     pub(in crate::formats::threemf) fn of_object(entry: &str, id: u32, reason: impl Into<String>) -> Self {
         let place = Place::Entry(printable(&format!("{entry}#{id}")));
         Fault { place, kind: ReadErrorKind::Malformed(reason.into()) }
+    }
+
+    /// Whoever watches wants no more.
+    pub(in crate::formats::threemf) fn stopped(stopped: Cancelled) -> Self {
+        Fault { place: Place::File, kind: ReadErrorKind::Cancelled(stopped) }
     }
 
     /// There is more of something than the limits allow.
