@@ -261,11 +261,12 @@ fn any_plan(u: &mut Unstructured<'_>) -> Result<Plan> {
     };
     let length =
         |u: &mut Unstructured<'_>| u.choose(&[0.0, 1.0, 0.3, 1.5, 1e-300, 1e300, -1.0, f64::NAN]).copied();
-    let distance = match u.int_in_range(0..=5u8)? {
+    let distance = match u.int_in_range(0..=6u8)? {
         0 | 1 => Distance::Exact,
         2 => Distance::Absolute(length(u)?),
         3 => Distance::Boundary(length(u)?),
         4 => Distance::BoundaryRelative(length(u)?),
+        5 => Distance::Auto,
         _ => Distance::Relative(length(u)?),
     };
     let within = match u.int_in_range(0..=2u8)? {

@@ -52,6 +52,7 @@ pub(crate) fn welding(word: &str) -> Result<Welding, String> {
         "none" | "off" => return Ok(Welding::Off),
         "exact" => return Ok(Welding::Within(Distance::Exact)),
         "single" => return Ok(Welding::Within(Distance::Single)),
+        "auto" => return Ok(Welding::Within(Distance::Auto)),
         _ => {}
     }
     let (length, is_boundary) = match word.strip_prefix("boundary:") {
@@ -59,7 +60,7 @@ pub(crate) fn welding(word: &str) -> Result<Welding, String> {
         None => (word, false),
     };
     let expected = |_| {
-        "expected none, exact, single, a length such as 0.001, a percentage such as 0.01%, or boundary: with either of these".to_owned()
+        "expected none, exact, single, auto, a length such as 0.001, a percentage such as 0.01%, or boundary: with either of these".to_owned()
     };
     Ok(Welding::Within(match (reach(length).map_err(expected)?, is_boundary) {
         (Reach::Absolute(length), false) => Distance::Absolute(length),

@@ -154,5 +154,6 @@ fn weld_option(distance: Distance) -> String {
         Distance::Relative(part) => format!("--weld {}%", part * 100.0),
         Distance::Boundary(length) => format!("--weld boundary:{length}"),
         Distance::BoundaryRelative(part) => format!("--weld boundary:{}%", part * 100.0),
+        Distance::Auto => "--weld auto".to_owned(),
     }
 }

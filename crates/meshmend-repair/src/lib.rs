@@ -11,6 +11,7 @@
 //!
 //! A [`Plan`] says the same in a file.
 
+mod advice;
 mod apart;
 mod clearance;
 mod copies;
@@ -33,6 +34,7 @@ mod telling;
 mod tolerance;
 mod turned;
 
+pub use advice::{Advice, BINS_A_DECADE, Bin, Tolerance};
 pub use clearance::{Clearance, Subdivision, Unused};
 pub use emptied::{Emptied, Emptying, EmptyingCause};
 pub use emptied_names::{EmptiedName, emptied_names};

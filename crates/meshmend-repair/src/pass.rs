@@ -14,8 +14,8 @@ use thiserror::Error;
 
 use crate::sewing::KeptSewing;
 use crate::{
-    ApartRecord, Clearance, DropRecord, Emptied, FaceStorage, Fixed, LoopRecord, PassKind, SeamFigures,
-    SliverRecord, TJunctionRecord, TellingLayers,
+    Advice, ApartRecord, Clearance, DropRecord, Emptied, FaceStorage, Fixed, LoopRecord, PassKind,
+    SeamFigures, SliverRecord, TJunctionRecord, TellingLayers,
 };
 
 /// A repair. The pass *is* its options: fill its fields, or take its `Default`.
@@ -85,6 +85,8 @@ pub struct Outcome {
     pub dropped: Option<DropRecord>,
     /// What became of the vertices at places of others, where the pass keeps these apart.
     pub apart: Vec<ApartRecord>,
+    /// Which tolerance stood out, where the pass looked for one.
+    pub advice: Option<Advice>,
 }
 
 impl Outcome {
@@ -109,6 +111,7 @@ impl Outcome {
             moved: 0.0,
             dropped: None,
             apart: Vec::new(),
+            advice: None,
         }
     }
 }

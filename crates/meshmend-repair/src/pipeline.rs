@@ -13,9 +13,9 @@ pub use self::storage::{FaceStorage, Writing};
 use crate::figures::Figures;
 use crate::session::Aim;
 use crate::{
-    AnyPass, ApartRecord, Clearance, Compact, Distance, DropRecord, Emptied, Emptying, Fixed, Heal, Looked,
-    LoopRecord, NonOrientable, Orient, Pass, PassError, PassKind, Plan, Precision, Repeated, SeamFigures,
-    Seams, Session, Side, SliverRecord, Subdivision, TJunctionRecord, Unused, Weld,
+    Advice, AnyPass, ApartRecord, Clearance, Compact, Distance, DropRecord, Emptied, Emptying, Fixed, Heal,
+    Looked, LoopRecord, NonOrientable, Orient, Pass, PassError, PassKind, Plan, Precision, Repeated,
+    SeamFigures, Seams, Session, Side, SliverRecord, Subdivision, TJunctionRecord, Unused, Weld,
 };
 
 /// Passes in order, with their options.
@@ -113,6 +113,8 @@ pub struct PassRecord {
     pub dropped: Option<DropRecord>,
     /// What became of the vertices at places of others, where the pass keeps these apart.
     pub apart: Vec<ApartRecord>,
+    /// Which weld tolerance stood out, where the pass looked for one.
+    pub advice: Option<Advice>,
     /// How the pass came to know the topology of the mesh, if it uses that.
     pub looked: Option<Looked>,
 }

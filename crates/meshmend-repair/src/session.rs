@@ -284,6 +284,7 @@ impl Session {
             slivers: outcome.slivers,
             dropped: outcome.dropped,
             apart: outcome.apart,
+            advice: outcome.advice,
             looked,
         });
         Ok(&self.records[self.records.len() - 1])

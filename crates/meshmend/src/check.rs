@@ -84,10 +84,11 @@ pub struct KernelVerdict {
 /// [`one_sided_loops`](meshmend_topology::one_sided_loops) does; one sort of the positions to tell what welding would join.
 pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, PassError> {
     let mut session = Session::begin(mesh).with_watch(&options.watch);
-    let mesh = viewed(&mut session, options.view)?;
+    let view = options.view.resolved(session.mesh(), session.watch())?;
+    let mesh = viewed(&mut session, view)?;
     let topology = options.kernel.topology(&mesh.0, options.witness, &options.watch)?;
     let stored = StoredCounts::of(session.stored());
-    let report = CheckReport::new(options.view, stored, mesh, topology, options.rules, options.kernels);
+    let report = CheckReport::new(view, stored, mesh, topology, options.rules, options.kernels);
     match &options.geometry {
         Some(asked) => report.with_geometry(asked, &options.watch),
         None => Ok(report),
@@ -110,6 +111,7 @@ pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, 
 /// # Errors
 /// As [`check`].
 pub fn check_in(session: &mut Session, view: View, rules: Rules) -> Result<CheckReport, PassError> {
+    let view = view.resolved(session.mesh(), session.watch())?;
     let mesh = viewed(session, view)?;
     let topology = session.topology()?.clone();
     Ok(CheckReport::new(view, StoredCounts::of(session.stored()), mesh, topology, rules, Kernels::builtin()))

@@ -1,8 +1,8 @@
 //! The two ways to look at a file: by its indices, or by its positions.
 
-use meshmend_core::PolygonMesh;
+use meshmend_core::{PolygonMesh, Watch};
 use meshmend_io::{Format, Part};
-use meshmend_repair::{Context, Distance, Pass, PassError, Weld};
+use meshmend_repair::{Advice, Context, Distance, Pass, PassError, Weld};
 
 /// As what a mesh is judged.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -38,6 +38,19 @@ impl View {
         match self {
             View::Indexed => None,
             View::Welded(distance) => Some(distance),
+        }
+    }
+
+    /// The view with the distance that stands out in a mesh, where that is to be looked for.
+    ///
+    /// # Errors
+    /// As [`Advice::on`].
+    ///
+    /// *Cost*: that of [`Advice::on`], or constant where the distance is known.
+    pub fn resolved(self, mesh: &PolygonMesh, watch: &Watch) -> Result<Self, PassError> {
+        match self {
+            View::Welded(Distance::Auto) => Ok(View::Welded(Advice::on(mesh, watch)?.weld())),
+            known => Ok(known),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod advise;
 mod check;
 #[cfg(feature = "completions")]
 mod completions;
@@ -40,6 +41,7 @@ pub(crate) enum Command {
     Check(check::Check),
     Repair(Box<repair::Repair>),
     Convert(convert::Convert),
+    Advise(advise::Advise),
     Loops(loops::Loops),
     Cut(cut::Cut),
     #[cfg(feature = "render")]
@@ -72,6 +74,7 @@ impl Command {
             Command::Check(command) => &command.files,
             Command::Repair(command) => slice::from_ref(&command.input),
             Command::Convert(command) => slice::from_ref(&command.input),
+            Command::Advise(command) => slice::from_ref(&command.file),
             Command::Loops(command) => slice::from_ref(&command.file),
             Command::Cut(command) => slice::from_ref(&command.input),
             #[cfg(feature = "render")]
@@ -104,6 +107,7 @@ impl Command {
             Command::Check(command) => command.run(program, console),
             Command::Repair(command) => command.run(rules, console),
             Command::Convert(command) => command.run(rules, console),
+            Command::Advise(command) => command.run(console),
             Command::Loops(command) => command.run(console),
             Command::Cut(command) => command.run(console),
             #[cfg(feature = "render")]

@@ -64,6 +64,7 @@ fn view(document: &CheckDocument) -> String {
         Some(Distance::Relative(part)) => {
             format!("judged as welded: vertices within {part} of the bounding box's diagonal are one")
         }
+        Some(Distance::Auto) => "judged as welded within what stands out".to_owned(),
         Some(Distance::Boundary(length)) => {
             format!(
                 "judged as welded: vertices at the same position, and of open edges within {length}, are one"

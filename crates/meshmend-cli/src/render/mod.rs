@@ -1,5 +1,6 @@
 //! Reports in words, for people. Nothing else formats text for them, and nothing here looks at a mesh.
 
+mod advice;
 mod byte_bars;
 mod check;
 mod conversion;
@@ -26,6 +27,7 @@ mod table;
 #[cfg(feature = "flatten")]
 mod unfolded;
 
+pub(crate) use advice::{advice, advice_plot};
 pub(crate) use byte_bars::byte_bars;
 pub(crate) use check::check;
 pub(crate) use conversion::conversion;

@@ -11,6 +11,7 @@ use meshmend::report::{
 };
 use meshmend::{DefectKind, GeometryChange, GeometryChanges, Loss, PassKind, Severity};
 
+use super::advice::advised;
 use super::check::{column, defects};
 use super::table::{self, Align};
 use super::{Style, change, counts, figure, kinds_with_counts, paragraph, printable, rest};
@@ -135,6 +136,7 @@ fn pass(document: &PassDocument) -> Vec<String> {
     };
     let mut lines = vec![format!("{:<12}{text}{figures}", document.pass.name())];
     lines.extend(document.seam.map(|seam| format!("{:<12}{}", "", cut_open(seam))));
+    lines.extend(document.advice.iter().map(|advice| format!("{:<12}{}", "", advised(advice))));
     let loops = document.loops.iter().flat_map(loops);
     let t_junctions = document.t_junctions.iter().flat_map(|found| items_and_more(&found.left));
     let dropped = document.dropped.iter().flat_map(dropped);

@@ -151,6 +151,8 @@ passes! {
     verify: Verify;
 }
 
+pub(crate) use weld::{NearPair, OpenEdges, diagonal};
+
 /// What `verify` was called before. Plans may still say so.
 const FORMER_VERIFY: &str = "recompute";
 

@@ -6,6 +6,7 @@
 //! * *Exact* (default): their positions are equal as numbers. −0 equals 0, and a position that is not finite equals none.
 //! * *Single*: their positions are equal after each coordinate is rounded to single precision.
 //! * *Tolerance ε*: they are in one connected component of "distance ≤ ε", so no pair within ε is missed.
+//! * *Auto*: along open edges within the tolerance that stands out, if one does ([`Advice`]).
 //! * *Boundary ε*: their positions are equal, or both are vertices of open edges, not farther apart than ε, and nothing is
 //!   against it ([`boundary`]). This closes cracks without touching what is whole.
 //!
@@ -32,10 +33,11 @@ use serde::{Deserialize, Serialize};
 mod boundary;
 
 use boundary::joined_along_boundaries;
+pub(crate) use boundary::{NearPair, OpenEdges};
 
 use crate::tolerance::{no_tolerance, resolved_on, unresolved};
 use crate::{
-    Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
+    Advice, Context, Fixed, Form, OptionValues, Outcome, Pass, PassError, PassKind, PassOption, PassRow, Word,
 };
 
 /// Joins vertices that are in the same place.
@@ -80,6 +82,8 @@ pub enum Distance {
     Boundary(f64),
     /// The same, in parts of the box's diagonal.
     BoundaryRelative(f64),
+    /// Along open edges within the tolerance that stands out in the mesh ([`Advice`]), and equal positions alone if none does.
+    Auto,
 }
 
 /// All that is said of the pass.
@@ -95,7 +99,8 @@ pub(crate) const ROW: PassRow = PassRow {
         PassOption {
             name: "weld",
             help: "Which vertices are joined: none, exact, single (equal in single precision), within a length, within a \
-               percentage of the bounding box's diagonal, or along open edges within either (boundary:0.01, boundary:0.1%)",
+               percentage of the bounding box's diagonal, along open edges within either (boundary:0.01, boundary:0.1%), or along \
+               open edges within what stands out, if anything does (auto; `advise` tells)",
             sets: &["distance"],
             values: OptionValues::Distance,
         },
@@ -141,8 +146,44 @@ impl Pass for Weld {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
+        if self.distance != Distance::Auto {
+            return self.join(mesh, context);
+        }
+        let advice = Advice::on(mesh, context.watch())?;
+        let weld = Weld { distance: advice.weld(), by: self.by };
+        Ok(Outcome { advice: Some(advice), ..weld.join(mesh, context)? })
+    }
+
+    /// 0 if only vertices in one place are joined, or the distance is not known yet. *Cost*: linear if it is relative, else
+    /// constant.
+    fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
+        self.distance.length_on(mesh)
+    }
+}
+
+impl Distance {
+    /// The length that it is on a mesh; 0 where only positions that are equal in some way are near.
+    ///
+    /// *Cost*: linear if it is relative, else constant.
+    pub fn length_on(self, mesh: &PolygonMesh) -> f64 {
+        match self {
+            Distance::Exact | Distance::Single | Distance::Auto => 0.0,
+            Distance::Absolute(epsilon) | Distance::Boundary(epsilon) => epsilon,
+            Distance::Relative(part) | Distance::BoundaryRelative(part) => part * diagonal(mesh),
+        }
+    }
+}
+
+impl Weld {
+    /// A weld of vertices within a distance; its other options are the defaults.
+    pub fn within(distance: Distance) -> Self {
+        Weld { distance, ..Weld::default() }
+    }
+
+    /// Joins the vertices within a distance that is known.
+    fn join(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
         let lowest = match self.distance {
-            Distance::Exact => coincident_vertices(mesh),
+            Distance::Exact | Distance::Auto => coincident_vertices(mesh),
             Distance::Single => coincident_in_single(mesh),
             Distance::Absolute(_) | Distance::Relative(_) => within(mesh, self.tolerance_on(mesh), context)?,
             Distance::Boundary(_) | Distance::BoundaryRelative(_) => {
@@ -155,31 +196,6 @@ impl Pass for Weld {
         let lowest = self.in_one_pose(mesh, lowest, context)?;
         context.check_cancelled()?;
         join_to(mesh, lowest)
-    }
-
-    /// 0 if only vertices in one place are joined. *Cost*: linear if the distance is relative, else constant.
-    fn tolerance_on(&self, mesh: &PolygonMesh) -> f64 {
-        self.distance.length_on(mesh)
-    }
-}
-
-impl Distance {
-    /// The length that it is on a mesh; 0 where only positions that are equal in some way are near.
-    ///
-    /// *Cost*: linear if it is relative, else constant.
-    pub fn length_on(self, mesh: &PolygonMesh) -> f64 {
-        match self {
-            Distance::Exact | Distance::Single => 0.0,
-            Distance::Absolute(epsilon) | Distance::Boundary(epsilon) => epsilon,
-            Distance::Relative(part) | Distance::BoundaryRelative(part) => part * diagonal(mesh),
-        }
-    }
-}
-
-impl Weld {
-    /// A weld of vertices within a distance; its other options are the defaults.
-    pub fn within(distance: Distance) -> Self {
-        Weld { distance, ..Weld::default() }
     }
 
     /// Classes of vertices, parted where a model's motion parts them.
@@ -210,7 +226,7 @@ fn equal_in_pose_if(by: WeldBy, mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Ve
 }
 
 /// The diagonal of the box to which a relative distance refers. An unused vertex can't stretch it.
-fn diagonal(mesh: &PolygonMesh) -> f64 {
+pub(crate) fn diagonal(mesh: &PolygonMesh) -> f64 {
     if mesh.faces().corner_count() == 0 && mesh.loose_edges().is_empty() {
         return meshmend_geometry::diagonal(mesh.positions());
     }

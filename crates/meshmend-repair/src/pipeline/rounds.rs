@@ -134,7 +134,7 @@ fn leaves_edges(pass: &AnyPass) -> bool {
         AnyPass::Split(split) => split.edges == SplitEdges::PinchOnly,
         AnyPass::Clean(clean) => clean.non_finite == NonFinite::Keep,
         AnyPass::Weld(weld) => {
-            matches!(weld.distance, Distance::Boundary(_) | Distance::BoundaryRelative(_))
+            matches!(weld.distance, Distance::Boundary(_) | Distance::BoundaryRelative(_) | Distance::Auto)
         }
         // Nothing is known of a pass of another crate.
         AnyPass::Heal(_) | AnyPass::DropParts(_) | AnyPass::KeepApart(_) | AnyPass::Own(_) => true,

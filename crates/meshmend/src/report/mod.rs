@@ -15,6 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod advice_document;
 mod check_document;
 mod geometry_document;
 mod incremental_document;
@@ -28,6 +29,7 @@ mod repair_document;
 #[cfg(feature = "flatten")]
 mod unfold_document;
 
+pub use advice_document::AdviceDocument;
 pub use check_document::{CheckDocument, DefectGroup};
 pub use geometry_document::{
     ComponentDocument, ContactCounts, GeometryDocument, IntersectionsDocument, LoopCounts, OpenLoopDocument,

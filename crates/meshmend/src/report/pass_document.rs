@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use meshmend_core::{Defect, DefectKind};
 use meshmend_repair::{
-    ApartRecord, DropRecord, DroppedComponent, Figures, Looked, LoopRecord, PassKind, PassRecord,
+    Advice, ApartRecord, DropRecord, DroppedComponent, Figures, Looked, LoopRecord, PassKind, PassRecord,
     SeamFigures, SliverRecord, TJunctionRecord,
 };
 use serde::Serialize;
@@ -41,6 +41,9 @@ pub struct PassDocument {
     /// What became of the vertices at places of others, where the pass keeps these apart.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub apart: Option<ApartDocument>,
+    /// Which weld tolerance stood out, where the pass looked for one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub advice: Option<Advice>,
     /// Whether `verify` looked at the mesh afresh, or was told what was known before and is still true.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub looked: Option<Looked>,
@@ -153,6 +156,7 @@ impl PassDocument {
             slivers: (record.pass == PassKind::Slivers).then(|| SliversDocument::new(&record.slivers, limit)),
             dropped: record.dropped.as_ref().map(|record| DroppedDocument::new(record, limit)),
             apart: (record.pass == PassKind::KeepApart).then(|| ApartDocument::new(&record.apart, limit)),
+            advice: record.advice.clone(),
             looked: record.looked,
         }
     }

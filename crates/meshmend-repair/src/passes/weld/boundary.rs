@@ -9,9 +9,9 @@
 
 use std::sync::Arc;
 
-use meshmend_core::{Complex, Id, PolygonMesh, VertexId};
+use meshmend_core::{Complex, DraftError, Id, PolygonMesh, VertexId};
 use meshmend_geometry::proximity::Nearness;
-use meshmend_geometry::vector::is_finite;
+use meshmend_geometry::vector::{dot, is_finite, minus};
 use meshmend_spatial::near_pairs;
 
 use crate::{Context, PassError};
@@ -47,45 +47,143 @@ fn joined_once(
     epsilon: f64,
     context: &Context<'_>,
 ) -> Result<Vec<VertexId>, PassError> {
-    let corners = mesh.faces().corner_vertices().iter().map(|vertex| exact[vertex.index()]).collect();
-    let complex = Complex::of(&Arc::new(mesh.faces().over(mesh.counts().vertices, corners)?));
-    let vertices = open_vertices(mesh, &complex);
+    let open = OpenEdges::of(mesh, &exact)?;
     context.check_cancelled()?;
-    let points: Vec<[f64; 3]> = vertices.iter().map(|&vertex| mesh.position(vertex)).collect();
-    let most = PAIRS.0 * points.len() + PAIRS.1;
-    let Some(pairs) = near_pairs(&points, epsilon, most) else {
+    let most = open.most_pairs();
+    let Some(pairs) = near_pairs(&open.points, epsilon, most) else {
         let reason = format!(
             "more than {most} pairs of the {} vertices of open edges are within {epsilon:e}; take a smaller distance",
-            points.len()
+            open.points.len()
         );
         return Err(PassError::Request { pass: "weld", reason });
     };
     context.check_cancelled()?;
-    let mut classes = Classes::of(mesh, &exact, &complex, &vertices, &points);
+    let mut classes = open.classes();
     let near = Nearness::within(epsilon);
-    pairs.into_iter().for_each(|pair| classes.join(pair, &near));
+    pairs.into_iter().for_each(|pair| classes.join_if_near(pair, &near));
     let mut lowest = exact;
     let mut joined_to: Vec<VertexId> = (0..lowest.len()).map(VertexId::new).collect();
-    for (place, &vertex) in vertices.iter().enumerate() {
-        joined_to[vertex.index()] = vertices[classes.lowest(place) as usize];
+    for (place, &vertex) in (0..).zip(&open.vertices) {
+        joined_to[vertex.index()] = open.vertices[classes.class_of(place) as usize];
     }
     lowest.iter_mut().for_each(|low| *low = joined_to[low.index()]);
     Ok(lowest)
 }
 
-/// The vertices at finite places that are ends of edges with one side, ascending.
-fn open_vertices(mesh: &PolygonMesh, complex: &Complex) -> Vec<VertexId> {
-    let edges = complex.edges();
-    let open = edges.edges().filter(|&edge| edges.edge_sides(edge).len() == 1);
-    let ends = open.flat_map(|edge| edges.ends(edge));
-    let mut vertices: Vec<VertexId> = ends.filter(|&end| is_finite(&mesh.position(end))).collect();
-    vertices.sort_unstable();
-    vertices.dedup();
-    vertices
+/// The open edges of a mesh whose vertices were put into classes, and their ends at finite places.
+pub(crate) struct OpenEdges {
+    /// The ends, ascending.
+    vertices: Vec<VertexId>,
+    points: Vec<[f64; 3]>,
+    /// The edges with both ends at finite places, by the places of their ends among the vertices.
+    edges: Vec<[u32; 2]>,
+    /// What has each of the vertices as a corner or an end, ascending: faces, and behind these loose edges.
+    holders: Vec<Vec<u32>>,
 }
 
-/// Classes of some vertices, by their places in the list of these.
-struct Classes<'a> {
+/// Two vertices of open edges that are near each other, by their places among these.
+pub(crate) struct NearPair {
+    pub(crate) distance: f64,
+    pub(crate) places: [u32; 2],
+}
+
+impl OpenEdges {
+    /// The open edges of the mesh in which each vertex is the lowest one of its class.
+    ///
+    /// *Cost*: O(n log n).
+    pub(crate) fn of(mesh: &PolygonMesh, classes: &[VertexId]) -> Result<Self, DraftError> {
+        let corners = mesh.faces().corner_vertices().iter().map(|vertex| classes[vertex.index()]).collect();
+        let complex = Complex::of(&Arc::new(mesh.faces().over(mesh.counts().vertices, corners)?));
+        let edges = complex.edges();
+        let open =
+            || edges.edges().filter(|&edge| edges.edge_sides(edge).len() == 1).map(|edge| edges.ends(edge));
+        let mut vertices: Vec<VertexId> =
+            open().flatten().filter(|&end| is_finite(&mesh.position(end))).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let place = |vertex: VertexId| vertices.binary_search(&vertex).ok().map(|place| place as u32);
+        let mut holders: Vec<Vec<u32>> = vec![Vec::new(); vertices.len()];
+        let mut hold = |vertex: VertexId, holder: u32| {
+            if let Some(place) = place(vertex) {
+                holders[place as usize].push(holder);
+            }
+        };
+        let faces = complex.faces();
+        for face in faces.faces() {
+            faces.face_vertices(face).iter().for_each(|&vertex| hold(vertex, face.0));
+        }
+        for (ends, holder) in mesh.loose_edges().iter().zip(faces.face_count() as u32..) {
+            ends.iter().for_each(|end| hold(classes[end.index()], holder));
+        }
+        holders.iter_mut().for_each(|holders| holders.dedup());
+        let edges = open().filter_map(|[one, other]| Some([place(one)?, place(other)?])).collect();
+        let points = vertices.iter().map(|&vertex| mesh.position(vertex)).collect();
+        Ok(OpenEdges { vertices, points, edges, holders })
+    }
+
+    /// How many vertices there are at finite places.
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// The edges, by the places of their ends.
+    pub(crate) fn edges(&self) -> &[[u32; 2]] {
+        &self.edges
+    }
+
+    /// Each vertex in a class of its own.
+    pub(crate) fn classes(&self) -> Classes<'_> {
+        let count = self.vertices.len() as u32;
+        let members = (0..count).map(|place| vec![place]).collect();
+        Classes { points: &self.points, class: (0..count).collect(), members, holders: self.holders.clone() }
+    }
+
+    /// The pairs of vertices within a distance, nearest first, and that distance; a shorter one where there are very many.
+    pub(crate) fn near_pairs(&self, mut within: f64) -> (Vec<NearPair>, f64) {
+        let most = self.most_pairs();
+        let pairs = loop {
+            match near_pairs(&self.points, within, most) {
+                Some(pairs) => break pairs,
+                None => within /= 2.0,
+            }
+        };
+        let distance = |places: [u32; 2]| {
+            let [one, other] = places.map(|place| self.points[place as usize]);
+            let between = minus(one, other);
+            dot(between, between).sqrt()
+        };
+        (pairs.into_iter().map(|places| NearPair { distance: distance(places), places }).collect(), within)
+    }
+
+    /// How many of the edges coincide with others after a weld along open edges within a distance. `exact` are the classes that
+    /// the edges were found with.
+    ///
+    /// # Errors
+    /// As the weld.
+    pub(crate) fn coincident_within(
+        &self,
+        mesh: &PolygonMesh,
+        exact: Vec<VertexId>,
+        epsilon: f64,
+        context: &Context<'_>,
+    ) -> Result<u64, PassError> {
+        let classes = joined_along_boundaries(mesh, exact, epsilon, context)?;
+        let class = |place: u32| classes[self.vertices[place as usize].index()];
+        let mut edges: Vec<[VertexId; 2]> = self.edges.iter().map(|ends| ends.map(class)).collect();
+        edges.iter_mut().for_each(|ends| ends.sort_unstable());
+        edges.sort_unstable();
+        let places = edges.chunk_by(|one, other| one == other).map(<[_]>::len);
+        Ok(places.filter(|&count| count > 1).sum::<usize>() as u64)
+    }
+
+    /// Distances with more pairs than this are larger than the edges of the mesh.
+    fn most_pairs(&self) -> usize {
+        PAIRS.0 * self.vertices.len() + PAIRS.1
+    }
+}
+
+/// Classes of the vertices of open edges, by their places among these. A class has the place of its lowest vertex.
+pub(crate) struct Classes<'a> {
     points: &'a [[f64; 3]],
     /// The class of each.
     class: Vec<u32>,
@@ -95,40 +193,21 @@ struct Classes<'a> {
     holders: Vec<Vec<u32>>,
 }
 
-impl<'a> Classes<'a> {
-    fn of(
-        mesh: &PolygonMesh,
-        exact: &[VertexId],
-        complex: &Complex,
-        vertices: &[VertexId],
-        points: &'a [[f64; 3]],
-    ) -> Self {
-        let mut holders: Vec<Vec<u32>> = vec![Vec::new(); vertices.len()];
-        let mut hold = |vertex: VertexId, holder: u32| {
-            if let Ok(place) = vertices.binary_search(&vertex) {
-                holders[place].push(holder);
-            }
-        };
-        let faces = complex.faces();
-        for face in faces.faces() {
-            faces.face_vertices(face).iter().for_each(|&vertex| hold(vertex, face.0));
-        }
-        for (ends, holder) in mesh.loose_edges().iter().zip(faces.face_count() as u32..) {
-            ends.iter().for_each(|end| hold(exact[end.index()], holder));
-        }
-        holders.iter_mut().for_each(|holders| holders.dedup());
-        let count = vertices.len() as u32;
-        let members = (0..count).map(|place| vec![place]).collect();
-        Classes { points, class: (0..count).collect(), members, holders }
+impl Classes<'_> {
+    /// The class of a vertex.
+    pub(crate) fn class_of(&self, place: u32) -> u32 {
+        self.class[place as usize]
     }
 
-    /// Joins the classes of two vertices, if nothing is against it.
-    fn join(&mut self, pair: [u32; 2], near: &Nearness) {
-        let [one, other] = pair.map(|place| self.class[place as usize] as usize);
-        let (kept, gone) = (one.min(other), one.max(other));
-        if kept == gone || !self.may_join(kept, gone, near) {
-            return;
-        }
+    /// Whether some face or loose edge has both classes.
+    pub(crate) fn share_a_holder(&self, one: u32, other: u32) -> bool {
+        let is_shared = |holder: &u32| self.holders[other as usize].binary_search(holder).is_ok();
+        self.holders[one as usize].iter().any(is_shared)
+    }
+
+    /// Joins two classes.
+    pub(crate) fn join(&mut self, one: u32, other: u32) {
+        let (kept, gone) = (one.min(other) as usize, one.max(other) as usize);
         let (members, holders) =
             (std::mem::take(&mut self.members[gone]), std::mem::take(&mut self.holders[gone]));
         members.iter().for_each(|&place| self.class[place as usize] = kept as u32);
@@ -138,18 +217,21 @@ impl<'a> Classes<'a> {
         }
     }
 
-    fn may_join(&self, one: usize, other: usize, near: &Nearness) -> bool {
-        let is_shared = |holder: &u32| self.holders[other].binary_search(holder).is_ok();
-        let point = |place: &u32| self.points[*place as usize];
-        let is_near = |place: &u32| {
-            let here = point(place);
-            self.members[other].iter().all(|place| near.are_near(here, point(place)))
-        };
-        !self.holders[one].iter().any(is_shared) && self.members[one].iter().all(is_near)
+    /// Joins the classes of two vertices, if nothing is against it.
+    fn join_if_near(&mut self, pair: [u32; 2], near: &Nearness) {
+        let [one, other] = pair.map(|place| self.class_of(place));
+        if one != other && !self.share_a_holder(one, other) && self.are_near(one, other, near) {
+            self.join(one, other);
+        }
     }
 
-    /// The lowest vertex of the class of one: classes are joined to the lower one.
-    fn lowest(&self, place: usize) -> u32 {
-        self.class[place]
+    /// Whether each member of a class is near each of another.
+    fn are_near(&self, one: u32, other: u32, near: &Nearness) -> bool {
+        let point = |place: &u32| self.points[*place as usize];
+        let others = &self.members[other as usize];
+        self.members[one as usize].iter().all(|place| {
+            let here = point(place);
+            others.iter().all(|place| near.are_near(here, point(place)))
+        })
     }
 }
