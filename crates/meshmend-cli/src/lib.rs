@@ -19,6 +19,7 @@ mod render;
 mod repair_words;
 mod signals;
 mod streams;
+pub mod text;
 mod threads;
 mod words;
 

@@ -9,11 +9,10 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command};
 use meshmend::files::CutPolygons;
-use meshmend::passes::{Emptying, OptionValues, PassOption, Passes};
+use meshmend::passes::{Emptying, OptionValues, PassOption, Passes, Said, SayingError};
 use meshmend::{PassKind, Plan};
 
 use crate::failure::Failure;
-use crate::words::{self, Welding};
 
 /// A plan is far shorter than this many bytes.
 const LONGEST_PLAN: u64 = 1 << 20;
@@ -36,14 +35,6 @@ pub(crate) struct Policies {
     passes: Passes,
 }
 
-/// An option of a pass, and the word that was given for it.
-#[derive(Clone, Debug)]
-struct Said {
-    pass: PassKind,
-    option: &'static PassOption,
-    word: String,
-}
-
 /// A command with the options of these passes.
 pub(crate) fn with_options(command: Command, passes: Passes) -> Command {
     passes.options().fold(command, |command, (pass, option)| command.arg(argument(pass, option)))
@@ -51,23 +42,18 @@ pub(crate) fn with_options(command: Command, passes: Passes) -> Command {
 
 fn argument(pass: PassKind, option: &'static PassOption) -> Arg {
     let argument = Arg::new(option.name).long(option.name).help(option.help).help_heading("Policies");
+    let checked = move |word: &str| match Said::of(pass, option, word) {
+        Ok(_) => Ok(word.to_owned()),
+        Err(SayingError::Word { reason, .. }) => Err(reason),
+        Err(error) => Err(error.to_string()),
+    };
     match option.values {
         OptionValues::Flag(_) => argument.action(ArgAction::SetTrue),
-        OptionValues::Limits => argument.value_name("LIMITS").value_parser(|word: &str| {
-            if word == OFF { Ok(word.to_owned()) } else { words::fill_loops(word).map(|_| word.to_owned()) }
-        }),
-        OptionValues::ComponentLimit => argument
-            .value_name("LIMIT")
-            .value_parser(|word: &str| words::small_components(word).map(|_| word.to_owned())),
-        OptionValues::Aspect => argument.value_name("R").value_parser(|word: &str| {
-            if word == OFF { Ok(word.to_owned()) } else { words::aspect(word).map(|_| word.to_owned()) }
-        }),
-        OptionValues::Reach => argument
-            .value_name("LENGTH")
-            .value_parser(|word: &str| words::reach(word).map(|_| word.to_owned())),
-        OptionValues::Distance => argument
-            .value_name("DISTANCE")
-            .value_parser(|word: &str| words::welding(word).map(|_| word.to_owned())),
+        OptionValues::Limits => argument.value_name("LIMITS").value_parser(checked),
+        OptionValues::ComponentLimit => argument.value_name("LIMIT").value_parser(checked),
+        OptionValues::Aspect => argument.value_name("R").value_parser(checked),
+        OptionValues::Reach => argument.value_name("LENGTH").value_parser(checked),
+        OptionValues::Distance => argument.value_name("DISTANCE").value_parser(checked),
         OptionValues::Words(words) => {
             let off =
                 (option.name == pass.name()).then(|| PossibleValue::new(OFF).help("Leave the pass out"));
@@ -85,8 +71,8 @@ impl Policies {
             OptionValues::Flag(word) => matches.get_flag(option.name).then(|| word.to_owned()),
             _ => matches.get_one::<String>(option.name).cloned(),
         };
-        let said =
-            passes.options().filter_map(|(pass, option)| Some(Said { pass, option, word: word(option)? }));
+        // The parser has refused each word that is none.
+        let said = passes.options().filter_map(|(pass, option)| Said::of(pass, option, &word(option)?).ok());
         self.said.extend(said);
     }
 
@@ -98,15 +84,17 @@ impl Policies {
     /// The plan that they make.
     pub(crate) fn plan(&self) -> Result<Plan, Failure> {
         let default = || Ok(Plan::of(self.passes));
-        let mut plan = self.plan.as_deref().map_or_else(default, |path| read_plan(path, self.passes))?;
-        for said in &self.said {
-            plan = if said.is_off() { self.left_out(plan, said)? } else { said.added_to(plan)? };
-        }
-        if self.allow_empty {
-            plan.empty = Emptying::Allow;
-        }
-        plan.check_order().map_err(|error| Failure::usage(error.to_string()))?;
-        Ok(plan)
+        let plan = self.plan.as_deref().map_or_else(default, |path| read_plan(path, self.passes))?;
+        let plan = if self.allow_empty { Plan { empty: Emptying::Allow, ..plan } } else { plan };
+        plan.saying(&self.said).map_err(|error| {
+            Failure::usage(match error {
+                SayingError::Idle { option, pass } => {
+                    format!("--{option} has no meaning with --{pass} off")
+                }
+                SayingError::Word { option, reason, .. } => format!("--{option}: {reason}"),
+                error => error.to_string(),
+            })
+        })
     }
 
     /// Whether their plan is as it is for an output that holds triangles alone too: a plan or an option says what is done to
@@ -114,56 +102,6 @@ impl Policies {
     pub(crate) fn cut_polygons(&self) -> CutPolygons {
         let is_said = self.plan.is_some() || self.said.iter().any(|said| said.pass == PassKind::Triangulate);
         if is_said { CutPolygons::AsPlanned } else { CutPolygons::WhereNeeded }
-    }
-
-    /// The plan without a pass; another option of a pass that does not run is a mistake of the user.
-    fn left_out(&self, plan: Plan, off: &Said) -> Result<Plan, Failure> {
-        let idle =
-            self.said.iter().find(|other| other.pass == off.pass && other.option.name != off.option.name);
-        match idle {
-            None => Ok(plan.without(off.pass)),
-            Some(idle) => {
-                let (idle, pass) = (idle.option.name, off.pass);
-                Err(Failure::usage(format!("--{idle} has no meaning with --{pass} off")))
-            }
-        }
-    }
-}
-
-impl Said {
-    /// Whether this leaves the pass out.
-    fn is_off(&self) -> bool {
-        let is_off = self.word == OFF || words::welding(&self.word) == Ok(Welding::Off);
-        self.option.name == self.pass.name() && is_off
-    }
-
-    /// The plan with the pass, and the option set.
-    fn added_to(&self, plan: Plan) -> Result<Plan, Failure> {
-        let mut plan = plan.with(self.pass);
-        for key in self.option.sets {
-            let set = match (self.option.values, words::welding(&self.word)) {
-                (OptionValues::Distance, Ok(Welding::Within(distance))) => plan.set(self.pass, key, distance),
-                (OptionValues::Distance | OptionValues::Flag(_), _) => plan.set(self.pass, key, &self.word),
-                (OptionValues::Limits, _) => {
-                    plan.set(self.pass, key, words::fill_loops(&self.word).map_err(Failure::usage)?)
-                }
-                (OptionValues::Aspect, _) => {
-                    plan.set(self.pass, key, words::aspect(&self.word).map_err(Failure::usage)?)
-                }
-                (OptionValues::Reach, _) => {
-                    plan.set(self.pass, key, words::reach(&self.word).map_err(Failure::usage)?)
-                }
-                (OptionValues::ComponentLimit, _) => {
-                    plan.set(self.pass, key, words::small_components(&self.word).map_err(Failure::usage)?)
-                }
-                (OptionValues::Words(words), _) => {
-                    let word = words.iter().find(|word| word.name == self.word);
-                    plan.set(self.pass, key, word.map_or(self.word.as_str(), |word| word.value))
-                }
-            };
-            set.map_err(|error| Failure::usage(error.to_string()))?;
-        }
-        Ok(plan)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use meshmend::matrices::{Field, Prime};
 use meshmend::mesh::Cell;
-use meshmend::passes::{FillLimits, FillLoops, Reach, SmallComponents};
+use meshmend::passes::PlanError;
 use std::path::Path;
 
 use meshmend::shapes::{NAMED_SHAPES, NamedShape};
@@ -45,88 +45,12 @@ pub(crate) fn viewed(weld: Option<Welding>, file: &ReadFile, path: &Path) -> Res
     view(weld, file).of(&file.mesh).map_err(|error| Failure::of_pass(&name(path), &error))
 }
 
-/// Reads `none`, `off`, `exact`, `single`, a length, or a percentage of the bounding box's diagonal; the last two also behind
-/// `boundary:`.
+/// Reads `none`, `off`, or a [`Distance`].
 pub(crate) fn welding(word: &str) -> Result<Welding, String> {
     match word {
-        "none" | "off" => return Ok(Welding::Off),
-        "exact" => return Ok(Welding::Within(Distance::Exact)),
-        "single" => return Ok(Welding::Within(Distance::Single)),
-        "auto" => return Ok(Welding::Within(Distance::Auto)),
-        _ => {}
+        "none" | "off" => Ok(Welding::Off),
+        _ => word.parse().map(Welding::Within).map_err(|error: PlanError| error.to_string()),
     }
-    let (length, is_boundary) = match word.strip_prefix("boundary:") {
-        Some(length) => (length, true),
-        None => (word, false),
-    };
-    let expected = |_| {
-        "expected none, exact, single, auto, a length such as 0.001, a percentage such as 0.01%, or boundary: with either of these".to_owned()
-    };
-    Ok(Welding::Within(match (reach(length).map_err(expected)?, is_boundary) {
-        (Reach::Absolute(length), false) => Distance::Absolute(length),
-        (Reach::Relative(part), false) => Distance::Relative(part),
-        (Reach::Absolute(length), true) => Distance::Boundary(length),
-        (Reach::Relative(part), true) => Distance::BoundaryRelative(part),
-    }))
-}
-
-/// Reads which holes are filled: `all`, or limits such as `edges:12,length:5%,area:0.5`.
-pub(crate) fn fill_loops(word: &str) -> Result<FillLoops, String> {
-    if word == "all" {
-        return Ok(FillLoops::All);
-    }
-    let mut limits = FillLimits::default();
-    let mut named: Vec<&str> = Vec::new();
-    for limit in word.split(',') {
-        let (name, size) = limit.split_once(':').ok_or_else(no_limit)?;
-        if named.contains(&name) {
-            return Err(format!("{name} is limited twice"));
-        }
-        named.push(name);
-        match name {
-            "edges" => limits.edges = Some(size.parse().map_err(|_| no_limit())?),
-            "length" => limits.length = Some(reach(size).map_err(|_| no_limit())?),
-            "area" => limits.area = Some(reach(size).map_err(|_| no_limit())?),
-            _ => return Err(no_limit()),
-        }
-    }
-    Ok(FillLoops::Within(limits))
-}
-
-/// Reads which components are too small: `faces:12`, `area:0.5` or `volume:0.1`.
-pub(crate) fn small_components(word: &str) -> Result<SmallComponents, String> {
-    let expected = || "expected a limit such as faces:12, area:0.5 or volume:0.1".to_owned();
-    let (name, limit) = word.split_once(':').ok_or_else(expected)?;
-    let number = || match limit.parse::<f64>() {
-        Ok(number) if number.is_finite() && number >= 0.0 => Ok(number),
-        _ => Err(expected()),
-    };
-    match name {
-        "faces" => limit.parse().map(SmallComponents::Faces).map_err(|_| expected()),
-        "area" => number().map(SmallComponents::Area),
-        "volume" => number().map(SmallComponents::Volume),
-        _ => Err(expected()),
-    }
-}
-
-fn no_limit() -> String {
-    "expected all, off, or limits such as edges:12,length:5%,area:0.5".to_owned()
-}
-
-/// Reads a length such as `0.001`, or a percentage such as `0.01%`.
-pub(crate) fn reach(word: &str) -> Result<Reach, String> {
-    let number = word.strip_suffix('%').unwrap_or(word).trim().parse::<f64>();
-    match (number.ok().filter(|number| number.is_finite() && *number >= 0.0), word.ends_with('%')) {
-        (None, _) => Err("expected a length such as 0.001, or a percentage such as 0.01%".to_owned()),
-        (Some(length), false) => Ok(Reach::Absolute(length)),
-        (Some(percentage), true) => Ok(Reach::Relative(percentage / 100.0)),
-    }
-}
-
-/// Reads from how many times its height on a triangle is a sliver.
-pub(crate) fn aspect(word: &str) -> Result<f64, String> {
-    let number = word.parse::<f64>().ok().filter(|number| number.is_finite() && *number >= 1.0);
-    number.ok_or_else(|| "expected off, or a number of 1 or more such as 1000".to_owned())
 }
 
 /// Reads the name of one of these kernels.
@@ -210,44 +134,6 @@ mod tests {
             ["", "%", "-1", "nan", "inf", "1e999", "Exact", "3 mm", "boundary", "boundary:", "boundary:exact"]
         {
             assert!(welding(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn limits_of_holes_are_a_list() {
-        assert_eq!(fill_loops("all"), Ok(FillLoops::All));
-        let limits = FillLimits {
-            edges: Some(12),
-            length: Some(Reach::Relative(0.5)),
-            area: Some(Reach::Absolute(0.25)),
-        };
-        assert_eq!(fill_loops("edges:12,length:50%,area:0.25"), Ok(FillLoops::Within(limits)));
-        for wrong in
-            ["", "edges", "edges:-1", "edges:1%", "length:nan", "area:-2", "depth:1", "edges:1,edges:2"]
-        {
-            assert!(fill_loops(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn a_component_is_too_small_by_one_figure() {
-        assert_eq!(small_components("faces:12"), Ok(SmallComponents::Faces(12)));
-        assert_eq!(small_components("area:0.5"), Ok(SmallComponents::Area(0.5)));
-        assert_eq!(small_components("volume:1e-3"), Ok(SmallComponents::Volume(1e-3)));
-        for wrong in ["", "faces", "faces:-1", "faces:0.5", "area:nan", "volume:-1", "length:1", "area:5%"] {
-            assert!(small_components(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn aspects_and_lengths_are_numbers() {
-        assert_eq!((aspect("1"), aspect("1e3")), (Ok(1.0), Ok(1000.0)));
-        assert_eq!((reach("0"), reach("0.5%")), (Ok(Reach::Absolute(0.0)), Ok(Reach::Relative(0.005))));
-        for wrong in ["", "0.5", "-1000", "nan", "inf", "5%"] {
-            assert!(aspect(wrong).is_err(), "{wrong}");
-        }
-        for wrong in ["", "%", "-1", "nan", "inf", "1 mm"] {
-            assert!(reach(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -38,7 +38,8 @@ mod watch;
 mod words;
 
 pub use attributes::{
-    Aspect, Carry, Differences, Domain, FlippedNormals, Layer, NO_VALUE, Role, Values, turned_normals,
+    Aspect, Carry, Differences, Domain, FlippedNormals, Layer, LayerParts, NO_VALUE, Role, Values,
+    turned_normals,
 };
 pub use changes::{Blend, Draft, DraftError, FilledHole, Loose, Provenance, Sources, VertexDraft};
 pub use classes::{Classes, Joined, SidedClasses};

@@ -47,6 +47,6 @@ pub use pass::{Context, History, Outcome, Pass, PassError};
 pub use pass_row::{Form, OptionValues, PassOption, PassRow, Word};
 pub use passes::*;
 pub use pipeline::{FaceStorage, PassRecord, Pipeline, RemovedFace, Repaired, Writing};
-pub use plan::PlanError;
+pub use plan::{PlanError, Said, SayingError};
 pub use session::{Looked, Session};
 pub use telling::TellingLayers;

@@ -38,6 +38,10 @@
 
 mod form;
 mod order;
+mod saying;
+mod words;
+
+pub use self::saying::{Said, SayingError};
 
 use serde::Serialize;
 use serde::de::DeserializeSeed;

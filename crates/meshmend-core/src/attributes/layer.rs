@@ -59,21 +59,21 @@ pub enum Carry {
 /// Value `i` of the pool is `width` consecutive entries of [`values`](Layer::values). Cloning is O(1).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
-    name: String,
-    domain: Domain,
-    home: Domain,
+    pub(super) name: String,
+    pub(super) domain: Domain,
+    pub(super) home: Domain,
     pub(crate) width: usize,
-    carry: Carry,
-    role: Role,
+    pub(super) carry: Carry,
+    pub(super) role: Role,
     /// Whether whole numbers stand for fractions.
-    is_normalized: bool,
+    pub(super) is_normalized: bool,
     /// How many of the first values are those of a vertex as stored, each of the vertex of its own place.
-    stored_vertices: usize,
+    pub(super) stored_vertices: usize,
     pub(crate) values: Arc<Values>,
     /// Which value each element uses; absent when element `i` uses value `i`.
-    uses: Option<Arc<Vec<u32>>>,
+    pub(super) uses: Option<Arc<Vec<u32>>>,
     /// For a vertex layer that moved to the corners: the values of the vertices, for those without a corner.
-    vertex_uses: Option<Arc<Vec<u32>>>,
+    pub(super) vertex_uses: Option<Arc<Vec<u32>>>,
 }
 
 impl Layer {
@@ -225,11 +225,14 @@ impl Layer {
         self.uses.as_ref().map_or_else(|| self.value_count(), |uses| uses.len())
     }
 
-    /// Whether every use names a value of the pool.
+    /// Whether every use names a value of the pool, and the pool is one.
     pub(crate) fn is_consistent(&self) -> bool {
         let count = self.value_count();
-        self.values.len().is_multiple_of(self.width)
-            && self.uses.iter().all(|uses| uses.iter().all(|&v| v == NO_VALUE || (v as usize) < count))
+        let uses = self.uses.iter().chain(&self.vertex_uses);
+        self.values.are_consistent()
+            && self.values.len().is_multiple_of(self.width)
+            && self.stored_vertices <= count
+            && uses.flat_map(|uses| uses.iter()).all(|&value| value == NO_VALUE || (value as usize) < count)
     }
 
     fn use_of(&self, element: usize) -> u32 {

@@ -2,6 +2,7 @@
 
 mod differences;
 mod layer;
+mod parts;
 mod pooling;
 mod role;
 pub(crate) mod turning;
@@ -9,6 +10,7 @@ mod values;
 
 pub use differences::{Aspect, Differences};
 pub use layer::{Carry, Domain, Layer, NO_VALUE};
+pub use parts::LayerParts;
 pub use role::{FlippedNormals, Role};
 pub use turning::turned_normals;
 pub use values::Values;

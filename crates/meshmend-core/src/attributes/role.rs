@@ -54,6 +54,47 @@ pub(crate) enum Turn {
 }
 
 impl Role {
+    /// Its name: `normal`, or `joints:1` for the second set.
+    pub fn name(self) -> String {
+        let numbered = |name: &str, number: usize| format!("{name}:{number}");
+        match self {
+            Role::Joints(set) => numbered("joints", set.into()),
+            Role::Weights(set) => numbered("weights", set.into()),
+            Role::MorphPosition(target) => numbered("morph-position", target.into()),
+            Role::MorphNormal(target) => numbered("morph-normal", target.into()),
+            Role::MorphTangent(target) => numbered("morph-tangent", target.into()),
+            role => role.plain_name().to_owned(),
+        }
+    }
+
+    /// The role of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        let plain = [Role::Plain, Role::Normal, Role::Tangent, Role::TexCoord, Role::Color, Role::Identity];
+        let Some((name, number)) = name.split_once(':') else {
+            return plain.into_iter().find(|role| role.plain_name() == name);
+        };
+        match name {
+            "joints" => number.parse().ok().map(Role::Joints),
+            "weights" => number.parse().ok().map(Role::Weights),
+            "morph-position" => number.parse().ok().map(Role::MorphPosition),
+            "morph-normal" => number.parse().ok().map(Role::MorphNormal),
+            "morph-tangent" => number.parse().ok().map(Role::MorphTangent),
+            _ => None,
+        }
+    }
+
+    /// The name of a role without a number.
+    fn plain_name(self) -> &'static str {
+        match self {
+            Role::Normal => "normal",
+            Role::Tangent => "tangent",
+            Role::TexCoord => "texcoord",
+            Role::Color => "color",
+            Role::Identity => "identity",
+            _ => "plain",
+        }
+    }
+
     /// What turning a face does to a value of this role.
     pub(super) fn turn(self) -> Option<Turn> {
         match self {
@@ -68,5 +109,31 @@ impl Turn {
     /// Whether the number at a place within a value changes its sign.
     pub(crate) fn concerns(self, place: usize) -> bool {
         self == Turn::Whole || place == 3
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_role_is_found_by_its_name() {
+        let roles = [
+            Role::Plain,
+            Role::Normal,
+            Role::Tangent,
+            Role::TexCoord,
+            Role::Color,
+            Role::Joints(1),
+            Role::Weights(255),
+            Role::MorphPosition(0),
+            Role::MorphNormal(65_535),
+            Role::MorphTangent(7),
+            Role::Identity,
+        ];
+        roles.iter().for_each(|&role| assert_eq!(Role::from_name(&role.name()), Some(role)));
+        for wrong in ["", "normals", "joints", "joints:256", "joints:-1", "normal:1", "plain:0"] {
+            assert_eq!(Role::from_name(wrong), None, "{wrong}");
+        }
     }
 }

@@ -84,6 +84,18 @@ impl Values {
         }
     }
 
+    /// Whether each list is one of the items.
+    pub(crate) fn are_consistent(&self) -> bool {
+        match self {
+            Values::Lists { starts, items } => {
+                starts.is_sorted()
+                    && starts.last().is_none_or(|&end| end as usize <= items.len())
+                    && items.are_consistent()
+            }
+            _ => true,
+        }
+    }
+
     /// Whether the numbers from `one` and from `other` on are the same to the bit.
     pub(crate) fn same_bits(&self, one: usize, other: usize, width: usize) -> bool {
         fn slices<T>(v: &[T], one: usize, other: usize, width: usize, same: impl Fn(&T, &T) -> bool) -> bool {

@@ -115,7 +115,7 @@ impl DefectGroup {
             severity: kind.severity(),
             count: report.count(kind) as u64,
             items: items
-                .map(|defect| PlacedDefect::new(defect, &report.mesh, limit).named_as_stored(report))
+                .map(|defect| PlacedDefect::of_report(defect, report, limit))
                 .collect(),
         }
     }

@@ -84,8 +84,15 @@ impl PlacedDefect {
         }
     }
 
+    /// A defect that a check found with its place, as [`CheckDocument`](super::CheckDocument) lists it.
+    ///
+    /// *Cost*: that of [`faces_round`](meshmend_core::Element::faces_round).
+    pub fn of_report(defect: Defect, report: &CheckReport, limit: usize) -> Self {
+        PlacedDefect::new(defect, &report.mesh, limit).named_as_stored(report)
+    }
+
     /// The defect with the numbers that its vertices and faces have as stored.
-    pub(crate) fn named_as_stored(mut self, report: &CheckReport) -> Self {
+    fn named_as_stored(mut self, report: &CheckReport) -> Self {
         let name = |vertex: VertexId| report.stored_vertex(vertex);
         self.vertices.iter_mut().for_each(|vertex| *vertex = name(*vertex));
         self.edge_ends.iter_mut().for_each(|ends| *ends = ends.map(name));

@@ -1,0 +1,15 @@
+//! Reports as the command prints them for people, without colours.
+
+use meshmend::report::{CheckDocument, RepairDocument};
+
+use crate::render::{self, Style};
+
+/// The report of a check.
+pub fn check(document: &CheckDocument) -> String {
+    render::check(document, Style::Plain)
+}
+
+/// The report of a repair.
+pub fn repair(document: &RepairDocument) -> String {
+    render::repair(document, Style::Plain)
+}

@@ -1,0 +1,36 @@
+"""Finds, explains and mends what is wrong with polygon meshes."""
+
+from . import _native
+from ._check import Betti, Check, DocumentCheck, check
+from ._defects import Defects
+from ._document import Document, Part
+from ._errors import (
+    DefectError,
+    InternalError,
+    LossError,
+    LossWarning,
+    MeshmendError,
+    PlanError,
+    ReadError,
+    RefusedError,
+    WriteError,
+)
+from ._files import encode, read, read_document, write
+from ._mesh import Mesh
+from ._notes import Loss, Note
+from ._words import explain, set_threads
+
+__version__: str = _native.__version__
+SCHEMA: int = _native.SCHEMA
+
+__all__ = [
+    "SCHEMA", "Betti", "Check", "DefectError", "Defects", "Document", "DocumentCheck", "InternalError", "Loss", "LossError",
+    "LossWarning", "Mesh", "MeshmendError", "Note", "Part", "PlanError", "ReadError", "RefusedError", "WriteError",
+    "__version__", "check", "encode", "explain", "read", "read_document", "set_threads", "write",
+]
+
+# Where they are found, not where they are made.
+for _name in __all__:
+    if _name[0].isalpha() and hasattr(globals()[_name], "__module__"):
+        globals()[_name].__module__ = __name__
+del _name
