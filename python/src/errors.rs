@@ -3,7 +3,7 @@
 use std::io;
 
 use meshmend::formats::{Place, ReadErrorKind, WriteErrorKind};
-use meshmend::passes::PassError;
+use meshmend::passes::{PassError, PlanError, SayingError};
 use meshmend::{Defect, LoopError, Loss, ReadError, UnfoldError, WriteError};
 use pyo3::exceptions::{PyOSError, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -14,7 +14,13 @@ use crate::defects::DefectList;
 pub(crate) enum Problem {
     Read(ReadError),
     Write(WriteError),
-    Pass(PassError),
+    /// The work on a file, or on arrays, gave no mesh.
+    Pass {
+        file: Option<String>,
+        error: PassError,
+    },
+    /// A text or words that are no plan.
+    Plan(PlanError),
     /// What a file can't carry, where that is not to be written.
     Losses {
         file: String,
@@ -42,14 +48,23 @@ impl From<WriteError> for Problem {
 
 impl From<PassError> for Problem {
     fn from(error: PassError) -> Self {
-        Problem::Pass(error)
+        Problem::Pass { file: None, error }
+    }
+}
+
+impl From<SayingError> for Problem {
+    fn from(error: SayingError) -> Self {
+        match error {
+            SayingError::Plan(error) => Problem::Plan(error),
+            error => Problem::Value(error.to_string()),
+        }
     }
 }
 
 impl From<LoopError> for Problem {
     fn from(error: LoopError) -> Self {
         match error {
-            LoopError::Pass(error) => Problem::Pass(error),
+            LoopError::Pass(error) => error.into(),
             error => Problem::Refused(error.to_string()),
         }
     }
@@ -74,7 +89,8 @@ impl Problem {
         match self {
             Problem::Read(error) => of_reading(py, error),
             Problem::Write(error) => of_writing(py, error),
-            Problem::Pass(error) => of_pass(py, error),
+            Problem::Pass { file, error } => of_pass(py, file, error),
+            Problem::Plan(error) => own(py, "PlanError", (error.to_string(),)),
             Problem::Losses { file, losses } => {
                 let what: Vec<String> = losses.iter().map(ToString::to_string).collect();
                 let message = format!("{file}: not written, as it can't carry all: {}", what.join("; "));
@@ -149,8 +165,8 @@ fn of_system(py: Python<'_>, cause: &io::Error, file: &str) -> PyErr {
     }
 }
 
-fn of_pass(py: Python<'_>, error: PassError) -> PyErr {
-    let message = error.to_string();
+fn of_pass(py: Python<'_>, file: Option<String>, error: PassError) -> PyErr {
+    let message = file.map_or(error.to_string(), |file| format!("{file}: {error}"));
     match error {
         PassError::Refused(refusal) => refused(py, message, refusal.defects, Some(refusal.kernel)),
         PassError::Policy { defects, .. } => refused(py, message, defects, None),

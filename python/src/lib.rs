@@ -15,8 +15,11 @@ mod layers;
 mod mesh;
 mod panics;
 mod picture;
+mod plan;
 mod pool;
+mod record;
 mod registries;
+mod repair;
 mod watched;
 mod words;
 
@@ -30,6 +33,11 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<document::DocumentHandle>()?;
     module.add_class::<check::CheckHandle>()?;
     module.add_class::<defects::DefectList>()?;
+    module.add_class::<plan::PlanHandle>()?;
+    module.add_class::<repair::RepairHandle>()?;
+    module.add_class::<record::RecordHandle>()?;
+    module.add_function(wrap_pyfunction!(repair::repair_mesh, module)?)?;
+    module.add_function(wrap_pyfunction!(repair::repair_document, module)?)?;
     module.add_function(wrap_pyfunction!(files::read, module)?)?;
     module.add_function(wrap_pyfunction!(files::write, module)?)?;
     module.add_function(wrap_pyfunction!(check::check_mesh, module)?)?;

@@ -1,5 +1,6 @@
 //! Reports as the command prints them for people, without colours.
 
+use meshmend::files::RepairedFile;
 use meshmend::report::{CheckDocument, RepairDocument};
 
 use crate::render::{self, Style};
@@ -12,4 +13,12 @@ pub fn check(document: &CheckDocument) -> String {
 /// The report of a repair.
 pub fn repair(document: &RepairDocument) -> String {
     render::repair(document, Style::Plain)
+}
+
+/// The report of the repair of a file.
+pub fn repaired(file: &RepairedFile) -> String {
+    match file {
+        RepairedFile::Mesh(mesh) => repair(&mesh.report),
+        RepairedFile::Parts(parts) => render::repaired_parts(parts, Style::Plain),
+    }
 }

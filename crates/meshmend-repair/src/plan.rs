@@ -103,6 +103,14 @@ impl Plan {
         Ok(plan)
     }
 
+    /// The plan as a TOML text, which [`from_toml`](Self::from_toml) reads back as the same plan.
+    ///
+    /// # Errors
+    /// When an option of a pass of another crate is no TOML.
+    pub fn to_toml(&self) -> Result<String, PlanError> {
+        toml::to_string(self).map_err(|error| PlanError(error.to_string()))
+    }
+
     /// Leaves a pass out.
     pub fn without(mut self, pass: PassKind) -> Self {
         self.passes.retain(|&kind| kind != pass);
@@ -172,7 +180,8 @@ mod tests {
     fn the_former_name_of_verify_is_still_read() {
         let plan = Plan::from_toml("passes = ['weld', 'recompute']\n[recompute]").unwrap();
         assert_eq!(plan.passes, [PassKind::Weld, PassKind::Verify]);
-        assert!(toml::to_string(&plan).unwrap().contains("\"verify\""));
+        assert!(plan.to_toml().unwrap().contains("\"verify\""));
+        assert_eq!(Plan::from_toml(&plan.to_toml().unwrap()), Ok(plan));
     }
 
     #[test]

@@ -18,6 +18,9 @@ from ._errors import (
 from ._files import encode, read, read_document, write
 from ._mesh import Mesh
 from ._notes import Loss, Note
+from ._plan import Plan
+from ._relation import Relation
+from ._repair import PassRecord, Removed, Repair, mend, repair
 from ._words import explain, set_threads
 
 __version__: str = _native.__version__
@@ -25,8 +28,9 @@ SCHEMA: int = _native.SCHEMA
 
 __all__ = [
     "SCHEMA", "Betti", "Check", "DefectError", "Defects", "Document", "DocumentCheck", "InternalError", "Loss", "LossError",
-    "LossWarning", "Mesh", "MeshmendError", "Note", "Part", "PlanError", "ReadError", "RefusedError", "WriteError",
-    "__version__", "check", "encode", "explain", "read", "read_document", "set_threads", "write",
+    "LossWarning", "Mesh", "MeshmendError", "Note", "Part", "PassRecord", "Plan", "PlanError", "ReadError", "RefusedError",
+    "Relation", "Removed", "Repair", "WriteError", "__version__", "check", "encode", "explain", "mend", "read", "read_document",
+    "repair", "set_threads", "write",
 ]
 
 # Where they are found, not where they are made.

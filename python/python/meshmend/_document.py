@@ -11,6 +11,7 @@ from ._notes import Note
 
 if TYPE_CHECKING:
     from ._check import DocumentCheck
+    from ._repair import Repair
 
 
 class Part:
@@ -72,6 +73,12 @@ class Document:
         from ._check import check_document
 
         return check_document(self, parts, options)
+
+    def repair(self, **options: Any) -> Repair:
+        """Each part, or those of `parts`, by itself. Same as `meshmend.repair(self, ...)`."""
+        from ._repair import repair
+
+        return repair(self, **options)
 
     def mesh(self, place: str = "scene") -> Mesh:
         """All parts as one mesh: `scene`, as the file places them, or `parts`, each once in its own space."""

@@ -106,9 +106,14 @@ def loaded(thing: object, called: Callable[..., Any]) -> Mesh:
     """The mesh of whatever a function takes: a mesh, a path, or what `Mesh.of` takes."""
     if isinstance(thing, Mesh):
         return thing
-    if isinstance(thing, (str, os.PathLike, bytes, bytearray, memoryview)) or hasattr(thing, "read"):
+    if is_file(thing):
         return read_document(thing)._only(f"meshmend.read_document(...).{called.__name__}() takes all")
     return Mesh.of(thing)
+
+
+def is_file(thing: object) -> bool:
+    """Whether it is a path, the bytes of a file, or a file-like object."""
+    return isinstance(thing, (str, os.PathLike, bytes, bytearray, memoryview)) or hasattr(thing, "read")
 
 
 def warned(name: str, losses: list[Loss]) -> list[Loss]:

@@ -18,6 +18,7 @@ from ._progress import watched
 
 if TYPE_CHECKING:
     from ._check import Check
+    from ._repair import Repair
 
 Ids = NDArray[np.int32]
 
@@ -136,6 +137,12 @@ class Mesh:
         from ._check import check
 
         return check(self, **options)
+
+    def repair(self, **options: Any) -> Repair:
+        """Same as `meshmend.repair(self, ...)`."""
+        from ._repair import repair
+
+        return repair(self, **options)
 
     def write(self, target: Any, **options: Any) -> list[Any]:
         """Same as `meshmend.write(self, target, ...)`."""

@@ -55,7 +55,7 @@ pub(crate) fn repaired_parts(repaired: &RepairedParts, style: Style) -> String {
     let rows = repaired.parts.iter().map(|(part, outcome)| {
         let title = printable(&document.parts[*part].title());
         let what = match outcome {
-            PartOutcome::Repaired { report, .. } => changes(report),
+            PartOutcome::Repaired(part) => changes(&part.report),
             PartOutcome::Sealed(reason) => format!("sealed: {}", printable(reason)),
             PartOutcome::GivenBack(reason) => format!("given back as it was: {}", printable(reason)),
         };

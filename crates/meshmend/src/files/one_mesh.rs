@@ -5,7 +5,7 @@ use meshmend_io::{Document, Placing, ReadFile, rounding_losses};
 use meshmend_repair::{Repaired, Session};
 
 use super::judging::Before;
-use super::{FileError, FileRepair, FileTarget, Judged, Maps, PreparedFile, RepairedMesh};
+use super::{FileError, FileRepair, FileTarget, Judged, KeptChecks, Maps, PreparedFile, RepairedMesh};
 use crate::View;
 use crate::report::{ProvenanceDocument, RepairDocument};
 
@@ -31,15 +31,16 @@ impl FileRepair {
         if self.maps == Maps::Whole {
             report.provenance = Some(ProvenanceDocument::new(&repaired.provenance));
         }
+        let mut checks = KeptChecks::default();
         if self.judged != Judged::Neither {
-            self.judging().add(before, &mut repaired, &mut report, watch).map_err(failed)?;
+            checks = self.judging().add(before, &mut repaired, &mut report, watch).map_err(failed)?;
         }
         look("prepare")?;
         let prepared = target.map(|target| target.prepared(&repaired.mesh)).transpose()?;
         if let (Some(target), Some(prepared)) = (target, &prepared) {
             name_output(&mut report, target, prepared, &repaired);
         }
-        Ok(RepairedMesh { file, repaired, report, prepared })
+        Ok(RepairedMesh { file, repaired, report, checks, prepared })
     }
 
     /// Repairs the mesh of a file, and judges it before.

@@ -2,9 +2,12 @@
 
 use meshmend_core::{DraftError, PolygonMesh, Provenance, Watch};
 use meshmend_io::{Document, Part, PartSource, PartStatus};
-use meshmend_repair::{Emptying, NamedPart, PassError, Plan, Repaired, Session, joined_parts, named_parts};
+use meshmend_repair::{Emptying, NamedPart, PassError, Plan, Session, joined_parts, named_parts};
 
-use super::{FaceNames, FileError, FileRepair, FileTarget, Judged, Maps, PartOutcome, RepairedParts};
+use super::{
+    FaceNames, FileError, FileRepair, FileTarget, Judged, KeptChecks, Maps, PartOutcome, RepairedPart,
+    RepairedParts,
+};
 use crate::View;
 use crate::report::{ProvenanceDocument, RepairDocument};
 
@@ -25,7 +28,8 @@ impl FileRepair {
         let chosen = self.parts.chosen(&document)?;
         // A file of parts can't hold one without faces: such a part is given back as it was.
         let plan = Plan { empty: Emptying::Refuse, ..self.plan.clone() };
-        let work = Work { repair: &FileRepair { plan, ..self.clone() }, name, target, watch };
+        let judged = if self.judged == Judged::Neither { Judged::After } else { self.judged };
+        let work = Work { repair: &FileRepair { plan, judged, ..self.clone() }, name, target, watch };
         let mut repaired = work.all(document, &chosen)?;
         repaired.whole = named.as_ref().map(|named| named.joined(&repaired)).transpose()?;
         if let Some(target) = target {
@@ -35,6 +39,41 @@ impl FileRepair {
             repaired.prepared = Some(prepared);
         }
         Ok(repaired)
+    }
+}
+
+impl FileRepair {
+    /// Repairs a part of a file, or a mesh that is from none, for an output. It is judged before the repair in a view.
+    ///
+    /// # Errors
+    /// When a policy says so, a kernel can't hold the mesh, or no face would be left.
+    ///
+    /// *Cost*: that of the passes; linear beside that.
+    pub fn run_mesh(
+        &self,
+        mesh: &PolygonMesh,
+        view: View,
+        target: Option<&FileTarget>,
+        watch: &Watch,
+    ) -> Result<RepairedPart, PassError> {
+        let judging = self.judging();
+        let pipeline = self.pipeline(mesh, target);
+        let mut session = Session::begin(mesh).with_watch(watch);
+        let mut before = None;
+        if self.judged == Judged::BeforeAndAfter {
+            session = session.with_figures();
+            before = Some(judging.before(&mut session, view)?);
+        }
+        let mut repaired = pipeline.run_in(session.with_kernel(self.kernel))?;
+        let mut report = RepairDocument::new(mesh, &repaired, self.limit);
+        if self.maps == Maps::Whole {
+            report.provenance = Some(ProvenanceDocument::new(&repaired.provenance));
+        }
+        let checks = match self.judged {
+            Judged::Neither => KeptChecks::default(),
+            _ => judging.add(before, &mut repaired, &mut report, watch)?,
+        };
+        Ok(RepairedPart { stored: mesh.clone(), repaired, report, checks })
     }
 }
 
@@ -61,10 +100,10 @@ impl Work<'_> {
                 continue;
             }
             let view = View::usual_for_part(document.format, part);
-            match self.part(&part.mesh, view) {
-                Ok((report, mesh, provenance)) => {
-                    parts.push((number, PartOutcome::Repaired { report: Box::new(report), provenance }));
-                    document.parts[number].mesh = mesh;
+            match self.repair.run_mesh(&part.mesh, view, self.target, self.watch) {
+                Ok(repaired) => {
+                    document.parts[number].mesh = repaired.repaired.mesh.clone();
+                    parts.push((number, PartOutcome::Repaired(Box::new(repaired))));
                 }
                 Err(error @ PassError::Emptied(_)) => {
                     parts.push((number, PartOutcome::GivenBack(error.to_string())));
@@ -79,30 +118,6 @@ impl Work<'_> {
             return Err(FileError::NoPartLeft { file: self.name.to_owned(), error });
         }
         Ok(RepairedParts::new(self.name, document, parts))
-    }
-
-    /// Repairs a mesh.
-    fn part(
-        &self,
-        mesh: &PolygonMesh,
-        view: View,
-    ) -> Result<(RepairDocument, PolygonMesh, Provenance), PassError> {
-        let (repair, judging) = (self.repair, self.repair.judging());
-        let pipeline = repair.pipeline(mesh, self.target);
-        let mut session = Session::begin(mesh).with_watch(self.watch);
-        let mut before = None;
-        if repair.judged == Judged::BeforeAndAfter {
-            session = session.with_figures();
-            before = Some(judging.before(&mut session, view)?);
-        }
-        let mut repaired = pipeline.run_in(session.with_kernel(repair.kernel))?;
-        let mut report = RepairDocument::new(mesh, &repaired, repair.limit);
-        if repair.maps == Maps::Whole {
-            report.provenance = Some(ProvenanceDocument::new(&repaired.provenance));
-        }
-        judging.add(before, &mut repaired, &mut report, self.watch)?;
-        let Repaired { mesh, provenance, .. } = repaired;
-        Ok((report, mesh, provenance))
     }
 }
 
@@ -125,8 +140,8 @@ impl Named {
         let mut records: Vec<Provenance> =
             self.parts.iter().map(|part| Provenance::same(part.mesh.counts())).collect();
         for (number, outcome) in &repaired.parts {
-            if let PartOutcome::Repaired { provenance, .. } = outcome {
-                records[*number] = provenance.clone();
+            if let PartOutcome::Repaired(part) = outcome {
+                records[*number] = part.repaired.provenance.clone();
             }
         }
         let now = self.parts.iter().zip(&repaired.document.parts).zip(&records);

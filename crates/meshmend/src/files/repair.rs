@@ -6,7 +6,7 @@ use meshmend_kernels::KernelKind;
 use meshmend_repair::{PassKind, Pipeline, Plan, Precision, TriangulateFaces};
 
 use super::judging::Judging;
-use super::{FileError, FileTarget, Judged, PartChoice, RepairedFile};
+use super::{FileError, FileTarget, Judged, PartChoice, RepairedFile, WholeChecks};
 use crate::{Gate, GeometryOptions};
 
 /// How a file is repaired, and what is said of it.
@@ -27,6 +27,8 @@ pub struct FileRepair {
     pub judged: Judged,
     /// How many items each list of the report shows.
     pub limit: usize,
+    /// Whether the checks that the report shows are kept whole beside it.
+    pub checks: WholeChecks,
     /// Whether the report says where each element came from.
     pub maps: Maps,
     /// Which parts of the file are repaired.
@@ -78,6 +80,7 @@ impl FileRepair {
             geometry: None,
             judged: Judged::default(),
             limit: USUAL_LIMIT,
+            checks: WholeChecks::default(),
             maps: Maps::default(),
             parts: PartChoice::default(),
             gate: Gate::default(),
@@ -115,7 +118,13 @@ impl FileRepair {
 
     /// How meshes are judged.
     pub(super) fn judging(&self) -> Judging {
-        Judging { rules: self.rules, limit: self.limit, geometry: self.geometry, listed: self.gate.defects() }
+        Judging {
+            rules: self.rules,
+            limit: self.limit,
+            checks: self.checks,
+            geometry: self.geometry,
+            listed: self.gate.defects(),
+        }
     }
 
     /// The passes of the plan, for what an output can hold.
@@ -176,6 +185,22 @@ mod tests {
         repaired.prepared_for(&target).unwrap().encode(&mut bytes).unwrap();
         assert!(bytes.starts_with(b"OFF\n4 2 0\n"), "{}", String::from_utf8_lossy(&bytes));
         assert_eq!((&before["output"], &before), (&Value::Null, &report(&repaired)));
+    }
+
+    #[test]
+    fn a_report_is_told_again_with_longer_lists_and_maps() {
+        for by in [None, Some(crate::files::FaceNames::Object)] {
+            let run = |limit, maps, checks| {
+                let parts = PartChoice { by, ..PartChoice::default() };
+                let repair = FileRepair { limit, maps, checks, parts, ..FileRepair::default() };
+                repair.run("a.obj", document(SOLIDS), None, &Watch::NOBODY).unwrap()
+            };
+            let short = run(0, Maps::LeftOut, WholeChecks::Kept);
+            for (limit, maps) in [(0, Maps::LeftOut), (1, Maps::Whole), (usize::MAX, Maps::LeftOut)] {
+                let long = run(limit, maps, WholeChecks::Dropped).report_json().unwrap();
+                assert_eq!(short.report_json_within(limit, maps).unwrap(), long);
+            }
+        }
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! A file that was repaired: its meshes, the report on them, and what is ready to be written.
 
-use meshmend_core::Provenance;
+use meshmend_core::PolygonMesh;
 use meshmend_io::{Document, Loss, ReadFile, WriteError};
 use meshmend_repair::Repaired;
+use serde::Serialize;
 
-use super::{FileTarget, PreparedFile};
+use super::{FileTarget, KeptChecks, Maps, PreparedFile, RepairRecord};
 use crate::report::{PartsDocument, RepairDocument, json};
 use crate::{Criterion, Failing, Gate};
 
@@ -27,6 +28,8 @@ pub struct RepairedMesh {
     pub repaired: Repaired,
     /// The report.
     pub report: RepairDocument,
+    /// The checks of which the report shows the beginning, if they were kept.
+    pub checks: KeptChecks,
     /// The mesh ready to be written, if there is a target.
     pub prepared: Option<PreparedFile>,
 }
@@ -57,16 +60,25 @@ pub struct RepairedParts {
 #[derive(Debug)]
 pub enum PartOutcome {
     /// It was repaired.
-    Repaired {
-        /// The report.
-        report: Box<RepairDocument>,
-        /// Where its elements were.
-        provenance: Provenance,
-    },
+    Repaired(Box<RepairedPart>),
     /// It can't be edited, for this reason.
     Sealed(String),
     /// It is as it was, as no face would be left of it.
     GivenBack(String),
+}
+
+/// A part of a file, or a mesh that is from none, that was repaired.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct RepairedPart {
+    /// The mesh as it was read.
+    pub stored: PolygonMesh,
+    /// The mesh as it is now, and the record.
+    pub repaired: Repaired,
+    /// The report.
+    pub report: RepairDocument,
+    /// The checks of which the report shows the beginning, if they were kept.
+    pub checks: KeptChecks,
 }
 
 impl RepairedFile {
@@ -86,6 +98,21 @@ impl RepairedFile {
         match self {
             RepairedFile::Mesh(mesh) => json(&mesh.report),
             RepairedFile::Parts(parts) => json(&parts.document()?),
+        }
+    }
+
+    /// The report as one line of JSON, with at most `limit` items in each list, with the maps or without.
+    ///
+    /// # Errors
+    /// When a report can't be written as JSON. None is known that can't.
+    ///
+    /// *Cost*: that of the lists.
+    pub fn report_json_within(&self, limit: usize, maps: Maps) -> Result<String, serde_json::Error> {
+        match self {
+            RepairedFile::Mesh(mesh) => json(&mesh.record().document(limit, maps)),
+            RepairedFile::Parts(parts) => {
+                json(&parts.document_of(|part| part.record().document(limit, maps))?)
+            }
         }
     }
 
@@ -188,6 +215,26 @@ impl RepairedFile {
     }
 }
 
+impl RepairedMesh {
+    /// What is known of the mesh.
+    pub fn record(&self) -> RepairRecord<'_> {
+        RepairRecord {
+            stored: &self.file.mesh,
+            repaired: &self.repaired,
+            report: &self.report,
+            checks: &self.checks,
+        }
+    }
+}
+
+impl RepairedPart {
+    /// What is known of the part.
+    pub fn record(&self) -> RepairRecord<'_> {
+        let RepairedPart { stored, repaired, report, checks } = self;
+        RepairRecord { stored, repaired, report, checks }
+    }
+}
+
 impl RepairedParts {
     pub(super) fn new(name: &str, document: Document, parts: Vec<(usize, PartOutcome)>) -> Self {
         let (name, losses) = (name.to_owned(), Vec::new());
@@ -210,11 +257,19 @@ impl RepairedParts {
     /// # Errors
     /// When a report can't be written as JSON. None is known that can't.
     pub fn document(&self) -> Result<PartsDocument, serde_json::Error> {
+        self.document_of(|part| &part.report)
+    }
+
+    /// All reports as one document, each as it is made of its part.
+    fn document_of<'a, R: Serialize>(
+        &'a self,
+        report: impl Fn(&'a RepairedPart) -> R,
+    ) -> Result<PartsDocument, serde_json::Error> {
         let mut together = PartsDocument::default();
         for (number, outcome) in &self.parts {
             let part = &self.document.parts[*number];
             match outcome {
-                PartOutcome::Repaired { report, .. } => together.add(*number, part, report)?,
+                PartOutcome::Repaired(repaired) => together.add(*number, part, &report(repaired))?,
                 PartOutcome::Sealed(reason) => together.add_without(*number, part, "sealed", reason),
                 PartOutcome::GivenBack(reason) => together.add_without(*number, part, "given_back", reason),
             }
@@ -235,7 +290,7 @@ impl PartOutcome {
     /// The report, if the part was repaired.
     pub fn report(&self) -> Option<&RepairDocument> {
         match self {
-            PartOutcome::Repaired { report, .. } => Some(report),
+            PartOutcome::Repaired(part) => Some(&part.report),
             PartOutcome::Sealed(_) | PartOutcome::GivenBack(_) => None,
         }
     }

@@ -114,9 +114,7 @@ impl DefectGroup {
             kind,
             severity: kind.severity(),
             count: report.count(kind) as u64,
-            items: items
-                .map(|defect| PlacedDefect::of_report(defect, report, limit))
-                .collect(),
+            items: items.map(|defect| PlacedDefect::of_report(defect, report, limit)).collect(),
         }
     }
 }
