@@ -87,6 +87,15 @@ class Defects:
         items: list[dict[str, Any]] = json.loads(self._handle.items())
         return iter(items)
 
+    def __reduce__(self) -> Any:
+        """Pickles as plain columns and items."""
+        handle = self._handle
+        return _unpickled, ((handle.kind, handle.title, handle.explanation, handle.severity, len(handle)), self._plain())
+
+    def _plain(self) -> tuple[dict[str, Any], str]:
+        columns = self._all()
+        return {**columns, "data": dict(columns["data"])}, self._handle.items()
+
     def __repr__(self) -> str:
         return f"<Defects {self.kind}: {len(self)}>"
 
@@ -101,6 +110,28 @@ class Defects:
             fixed = {name: _fixed(column) for name, column in columns.items()}
             self._columns: dict[str, Any] | None = {**fixed, "data": MappingProxyType(data), "strips": strips}
         return self._columns or {}
+
+
+class _Kept:
+    """Defects that were pickled, as `_native` has them."""
+
+    def __init__(self, words: tuple[str, str, str, str, int], columns: dict[str, Any], items: str) -> None:
+        self.kind, self.title, self.explanation, self.severity, self._count = words
+        self._columns = columns
+        self._items = items
+
+    def __len__(self) -> int:
+        return self._count
+
+    def columns(self) -> dict[str, Any]:
+        return dict(self._columns)
+
+    def items(self) -> str:
+        return self._items
+
+
+def _unpickled(words: tuple[str, str, str, str, int], plain: tuple[dict[str, Any], str]) -> Defects:
+    return Defects._of(_Kept(words, *plain))
 
 
 def by_kind(handles: Sequence[Any]) -> Mapping[str, Defects]:

@@ -15,7 +15,9 @@ class MeshmendError(Exception):
     """Whatever meshmend raises of its own."""
 
     def __reduce__(self) -> Any:
-        return _again, (type(self), self.args, self.__dict__)
+        """Pickles with all that is plain data; a check stays behind."""
+        plain = {name: dict(value) if isinstance(value, Mapping) else value for name, value in self.__dict__.items()}
+        return _again, (type(self), self.args, {**plain, "check": None} if "check" in plain else plain)
 
 
 class ReadError(MeshmendError, ValueError):
