@@ -4,7 +4,10 @@ use crate::random::Random;
 
 /// Every option with its values.
 const OPTIONS: &[(&str, &[&str])] = &[
-    ("--weld", &["none", "exact", "single", "0.3", "0.5", "1", "10%", "25%", "boundary:0.3", "boundary:10%", "auto"]),
+    (
+        "--weld",
+        &["none", "exact", "single", "0.3", "0.5", "1", "10%", "25%", "boundary:0.3", "boundary:10%", "auto"],
+    ),
     ("--clean", &["off"]),
     ("--non-finite", &["keep"]),
     ("--repeated", &["keep-different", "drop"]),
