@@ -20,6 +20,7 @@ mod pool;
 mod record;
 mod registries;
 mod repair;
+mod surfaces;
 mod watched;
 mod words;
 
@@ -33,6 +34,11 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<document::DocumentHandle>()?;
     module.add_class::<check::CheckHandle>()?;
     module.add_class::<defects::DefectList>()?;
+    module.add_class::<surfaces::LoopsHandle>()?;
+    module.add_class::<surfaces::CutHandle>()?;
+    module.add_function(wrap_pyfunction!(surfaces::find_loops, module)?)?;
+    module.add_function(wrap_pyfunction!(surfaces::cut_mesh, module)?)?;
+    module.add_function(wrap_pyfunction!(surfaces::make, module)?)?;
     module.add_class::<plan::PlanHandle>()?;
     module.add_class::<repair::RepairHandle>()?;
     module.add_class::<record::RecordHandle>()?;

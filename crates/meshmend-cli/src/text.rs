@@ -1,7 +1,7 @@
 //! Reports as the command prints them for people, without colours.
 
 use meshmend::files::RepairedFile;
-use meshmend::report::{CheckDocument, RepairDocument};
+use meshmend::report::{CheckDocument, CutDocument, LoopsDocument, RepairDocument};
 
 use crate::render::{self, Style};
 
@@ -21,4 +21,14 @@ pub fn repaired(file: &RepairedFile) -> String {
         RepairedFile::Mesh(mesh) => repair(&mesh.report),
         RepairedFile::Parts(parts) => render::repaired_parts(parts, Style::Plain),
     }
+}
+
+/// The report on closed paths.
+pub fn loops(document: &LoopsDocument) -> String {
+    render::loops(document, Style::Plain)
+}
+
+/// The report of a cut.
+pub fn cut(document: &CutDocument) -> String {
+    render::cut(document, Style::Plain)
 }

@@ -21,16 +21,17 @@ from ._notes import Loss, Note
 from ._plan import Plan
 from ._relation import Relation
 from ._repair import PassRecord, Removed, Repair, mend, repair
+from ._surfaces import Cut, Loop, Loops, Surface, cut, loops, make
 from ._words import explain, set_threads
 
 __version__: str = _native.__version__
 SCHEMA: int = _native.SCHEMA
 
 __all__ = [
-    "SCHEMA", "Betti", "Check", "DefectError", "Defects", "Document", "DocumentCheck", "InternalError", "Loss", "LossError",
-    "LossWarning", "Mesh", "MeshmendError", "Note", "Part", "PassRecord", "Plan", "PlanError", "ReadError", "RefusedError",
-    "Relation", "Removed", "Repair", "WriteError", "__version__", "check", "encode", "explain", "mend", "read", "read_document",
-    "repair", "set_threads", "write",
+    "SCHEMA", "Betti", "Check", "Cut", "DefectError", "Defects", "Document", "DocumentCheck", "InternalError", "Loss", "LossError",
+    "LossWarning", "Loop", "Loops", "Mesh", "MeshmendError", "Note", "Part", "PassRecord", "Plan", "PlanError", "ReadError", "RefusedError",
+    "Relation", "Removed", "Repair", "Surface", "WriteError", "__version__", "check", "cut", "encode", "explain", "loops", "make",
+    "mend", "read", "read_document", "repair", "set_threads", "write",
 ]
 
 # Where they are found, not where they are made.

@@ -27,15 +27,9 @@ class Betti(NamedTuple):
     q: tuple[int, int, int] | None
 
 
-class _Figure:
+def _figure(key: str) -> property:
     """A key of the JSON report, as an attribute."""
-
-    def __init__(self, key: str) -> None:
-        self.key = key
-        self.__doc__ = f"`{key}` of the JSON report."
-
-    def __get__(self, check: Check | None, owner: type[Check]) -> Any:
-        return self if check is None else check._facts()[self.key]
+    return property(lambda check: check._facts()[key], doc=f"`{key}` of the JSON report.")
 
 
 class Check:
@@ -174,7 +168,7 @@ FIGURES = (
     "genus cross_caps manifold closed orientable consistently_oriented"
 ).split()
 for _name in FIGURES:
-    setattr(Check, _name, _Figure(_name))
+    setattr(Check, _name, _figure(_name))
 
 
 class _ByKind(Mapping[str, Defects]):
