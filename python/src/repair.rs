@@ -8,7 +8,7 @@ use meshmend::files::{
 };
 use meshmend::mesh::Watch;
 use meshmend::report::json;
-use meshmend::{KernelKind, Plan, View};
+use meshmend::{Criterion, Gate, KernelKind, Plan, Rules, View};
 use meshmend_cli::text;
 use pyo3::prelude::*;
 
@@ -33,6 +33,7 @@ pub(crate) struct RepairWords<'py> {
     report: bool,
     parts: Vec<String>,
     by: Option<String>,
+    fail_on: Vec<String>,
 }
 
 /// What was repaired.
@@ -59,12 +60,29 @@ impl RepairWords<'_> {
             FileRepair::of(plan::saying(&given.unwrap_or_default(), &self.said, self.allow_empty)?);
         repair.cut_polygons = if cuts { CutPolygons::AsPlanned } else { CutPolygons::WhereNeeded };
         repair.kernel = kernel(&self.kernel)?;
-        repair.geometry = self.geometry.options(&[])?;
-        repair.judged = if self.report { Judged::BeforeAndAfter } else { Judged::Neither };
+        let criteria = self.fail_on.iter().map(|word| criterion(word)).collect::<Done<Vec<_>>>()?;
+        repair.gate = Gate::new(criteria);
+        repair.geometry = self.geometry.options(&repair.gate.defects())?;
+        let is_judged = !repair.gate.defects().is_empty() || repair.gate.asks_what_is_left();
+        repair.judged = match (self.report, is_judged) {
+            (true, _) => Judged::BeforeAndAfter,
+            (false, true) => Judged::After,
+            (false, false) => Judged::Neither,
+        };
         repair.checks = if self.report { WholeChecks::Kept } else { WholeChecks::Dropped };
         let by = self.by.as_deref().map(face_names).transpose()?;
         repair.parts = PartChoice::of(self.parts.clone()).taken_apart_by(by);
         Ok(repair)
+    }
+}
+
+/// What fails a repair.
+fn criterion(word: &str) -> Done<Criterion> {
+    match Criterion::of(Rules::builtin(), word) {
+        Ok(Criterion::Loss(_)) => Err(Problem::Value(format!(
+            "fail_on can't be `{word}`: `write` tells what is lost, or is `strict`"
+        ))),
+        criterion => criterion.map_err(|error| Problem::Value(error.to_string())),
     }
 }
 
@@ -91,7 +109,8 @@ pub(crate) fn repair_mesh(
     let origin = handle.origin.as_ref().map(|(origin, _)| Arc::clone(origin));
     let mended = how.watched(py)?.run(|watch| -> Done<Mended> {
         let Some((origin, part)) = &handle.origin else {
-            let repaired = repair.run_mesh(&handle.mesh, View::Indexed, None, watch)?;
+            let mut repaired = repair.run_mesh(&handle.mesh, View::Indexed, None, watch)?;
+            repaired.report.failing = repair.gate.failing(|criterion| repaired.report.count(criterion));
             return Ok(Mended::Mesh(Box::new(repaired)));
         };
         let document = origin.document.clone().with_mesh(*part, handle.mesh.clone());
@@ -140,6 +159,15 @@ impl RepairHandle {
             Mended::Mesh(part) => part.report.changed,
             Mended::File(file) => file.is_changed(),
         }
+    }
+
+    /// What fails it, and how much of each there is.
+    fn failing(&self) -> Vec<(String, u64)> {
+        let failing = match &*self.mended {
+            Mended::Mesh(part) => &part.report.failing[..],
+            Mended::File(file) => file.failing(),
+        };
+        failing.iter().map(|failing| (failing.criterion.to_string(), failing.count)).collect()
     }
 
     /// The document of the command, with at most so many items in each list.

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import threading
 
 import meshmend as mm
 import numpy as np
@@ -27,6 +28,26 @@ def test_arrays_that_come_out_are_made_once_and_cannot_be_written(tetrahedron):
             array[...] = 0
     with pytest.raises(ValueError, match="read-only"):
         mesh.vertex_attributes["heat"][0] = 1
+
+
+def test_an_array_that_another_thread_changes_is_read_once(grid):
+    vertices, faces = grid(150)
+    faces = faces.copy()
+    stop = threading.Event()
+
+    def change():
+        while not stop.is_set():
+            faces[-1, 0], faces[-1, 1] = faces[-1, 1], faces[-1, 0]
+
+    other = threading.Thread(target=change)
+    other.start()
+    try:
+        for _ in range(20):
+            mesh = mm.Mesh(vertices, faces)
+            assert mesh.corners.max() < len(vertices) and mm.check(mesh).to_json() == mm.check(mesh).to_json()
+    finally:
+        stop.set()
+        other.join()
 
 
 def test_the_mesh_is_a_copy(tetrahedron):

@@ -175,13 +175,13 @@ def test_a_strict_kernel_refuses_what_it_can_not_hold(book):
 
 def test_every_option_of_the_command_is_a_keyword(command):
     known = {name.replace("-", "_") for name in _native.registries()["options"]}
-    others = {"plan", "allow_empty", "kernel", "geometry", "near", "pair_budget", "by"}
+    others = {"plan", "allow_empty", "kernel", "geometry", "near", "pair_budget", "by", "fail_on", "strict"}
     shown = command("repair", "--help").stdout.decode()
     told = {word.replace("-", "_") for word in re.findall(r"--([a-z][a-z-]*[a-z])", shown)}
     # What is about files and reports is an argument of `read`, `write` and `to_json`.
     files = {"output", "dry_run", "report", "json", "quiet", "no_report", "format", "max_bytes", "max_vertices", "max_faces",
              "part", "from", "to", "encoding", "seams", "manifold_extension", "keep_double", "companions", "report_maps", "limit",
-             "fail_on", "strict", "help", "threads", "color", "progress", "no_progress", "version", "verbose"}
+             "help", "threads", "color", "progress", "no_progress", "version", "verbose"}
     policies = told - files - others
     assert known <= told, known - told
     assert policies <= known, policies - known
@@ -222,6 +222,25 @@ def test_a_report_can_be_left_out(book):
     mended = mm.repair(book, report=False)
     assert mended.before is None and mended.after is None and mended.changed
     assert mended.to_dict()["after"] is None and len(mended.mesh.vertices) == 7
+
+
+def test_a_gate_tells_what_is_left_and_strictly_raises(command, book):
+    path = EXAMPLES / "moebius.off"
+    words = ["non-orientable-patch", "changed", "removed", "left"]
+    mended = mm.repair(path, fail_on=words)
+    ran = command("repair", "--json", "--dry-run", "--fail-on", ",".join(words), path)
+    assert ran.returncode == 1 and mended.to_json().encode() + b"\n" == ran.stdout
+    assert mended.failing["non-orientable-patch"] == 1 and "removed" not in mended.failing
+    assert mm.repair(book, fail_on=["changed", "non-manifold-edge"], report=False).failing == {"changed": 1}
+    assert mm.repair(book, fail_on=["changed"]).to_dict()["failing"]
+    with pytest.raises(mm.DefectError, match="the repair has changed: 1") as caught:
+        mm.repair(book, fail_on=["changed"], strict=True)
+    assert caught.value.check.manifold
+    assert mm.repair(book, fail_on=["non-manifold-edge"], strict=True).failing == {}
+    with pytest.raises(ValueError, match="`write` tells what is lost"):
+        mm.repair(book, fail_on=["loss"])
+    with pytest.raises(ValueError, match="colour"):
+        mm.repair(book, fail_on=["colour"])
 
 
 def test_what_is_raised_stops_a_repair(grid):

@@ -110,6 +110,7 @@ def test_an_interrupt_stops_the_work():
 
 
 def _counts(arrays):
+    assert len(mm.repair(arrays, threads=2).mesh.vertices) == 7
     return mm.check(arrays).counts()
 
 
@@ -118,6 +119,7 @@ def _counts(arrays):
 def test_children_work_after_their_parent_did(book, method):
     if method not in multiprocessing.get_all_start_methods():
         pytest.skip(f"there is no {method} here")
+    assert len(mm.repair(book, threads=2).mesh.vertices) == 7
     expected = mm.check(book, threads=2).counts()
     context = multiprocessing.get_context(method)
     with context.Pool(2) as pool:

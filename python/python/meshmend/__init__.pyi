@@ -94,6 +94,8 @@ class _RepairOptions(_Policies, _CallOptions, total=False):
     pair_budget: int | None
     parts: Sequence[str | int]
     by: Literal["object", "group", "material", "solid"] | None
+    fail_on: Sequence[_Kind | Literal["removed", "changed", "left"]]
+    strict: bool
 
 class _MendOptions(_Policies, _CallOptions, total=False):
     plan: Plan | str | PathLike[str] | None
@@ -429,6 +431,8 @@ class Repair:
     def removed_faces(self) -> Removed: ...
     @property
     def changed(self) -> bool: ...
+    @property
+    def failing(self) -> Mapping[str, int]: ...
     def to_dict(self, limit: int | None = 10, maps: bool = False) -> dict[str, Any]: ...
     def to_json(self, limit: int | None = 10, maps: bool = False) -> str: ...
     def write(self, target: _Target, **options: Unpack[_WriteOptions]) -> list[Loss]: ...
@@ -534,6 +538,8 @@ def repair(
     pair_budget: int | None = None,
     parts: Sequence[str | int] = (),
     by: Literal["object", "group", "material", "solid"] | None = None,
+    fail_on: Sequence[_Kind | Literal["removed", "changed", "left"]] = (),
+    strict: bool = False,
     threads: int | None = None,
     progress: _Progress | bool | None = None,
     **policies: Unpack[_Policies],
@@ -603,8 +609,8 @@ class RefusedError(MeshmendError):
     def __init__(self, message: str, defects: Sequence[Any] = (), kernel: str | None = None) -> None: ...
 
 class DefectError(MeshmendError, AssertionError):
-    check: Check
-    def __init__(self, message: str, check: Check) -> None: ...
+    check: Check | None
+    def __init__(self, message: str, check: Check | None) -> None: ...
 
 class PlanError(MeshmendError, ValueError):
     line: int | None

@@ -61,9 +61,9 @@ class RefusedError(MeshmendError):
 
 
 class DefectError(MeshmendError, AssertionError):
-    """A mesh that is not what `Check.require` asks for."""
+    """A mesh that is not what `Check.require` asks for, or that a repair leaves so; the check is there where there is one mesh."""
 
-    def __init__(self, message: str, check: Check) -> None:
+    def __init__(self, message: str, check: Check | None) -> None:
         super().__init__(message)
         self.check = check
 

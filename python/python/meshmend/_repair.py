@@ -15,6 +15,7 @@ from . import _native
 from ._check import Check, geometry_words
 from ._defects import Defects, by_kind
 from ._document import Document
+from ._errors import DefectError
 from ._files import read_document, is_file, warned
 from ._mesh import Mesh, mesh_as_read
 from ._notes import Loss
@@ -130,6 +131,11 @@ class Repair:
         """Whether anything differs from what was given."""
         return bool(self._handle.is_changed() if self._number is None else self._record().is_changed())
 
+    @property
+    def failing(self) -> Mapping[str, int]:
+        """What of `fail_on` is there, and how much."""
+        return MappingProxyType(dict(self._handle.failing()))
+
     def to_dict(self, limit: int | None = 10, maps: bool = False) -> dict[str, Any]:
         """The document of `meshmend repair --json`; with `maps` that of `--report-maps`."""
         document: dict[str, Any] = json.loads(self.to_json(limit, maps))
@@ -213,11 +219,16 @@ def repair(
     pair_budget: int | None = None,
     parts: Sequence[str | int] = (),
     by: str | None = None,
+    fail_on: Sequence[str] = (),
+    strict: bool = False,
     threads: int | None = None,
     progress: Any = None,
     **policies: Any,
 ) -> Repair:
-    """Mends what is wrong with a mesh, and names all that it did. The keywords are the options of `meshmend repair`."""
+    """Mends what is wrong with a mesh, and names all that it did. The keywords are the options of `meshmend repair`.
+
+    What `fail_on` names, such as kinds of defect, `removed`, `changed` or `left`, is in `Repair.failing`; with `strict` it raises.
+    """
     given = plan if plan is None or isinstance(plan, Plan) else Plan.read(plan)
     words = {
         "plan": None if given is None else given._handle,
@@ -228,12 +239,16 @@ def repair(
         "report": report,
         "parts": [str(part) for part in parts],
         "by": by,
+        "fail_on": list(fail_on),
     }
     with watched(threads, progress) as how:
         source = _source(mesh, is_whole=bool(parts) or by is not None, how=how)
-        if isinstance(source, Document):
-            return Repair._of(_native.repair_document(source._handle, words, how), source)
-        return Repair._of(_native.repair_mesh(source._handle, words, how), source)
+        work = _native.repair_document if isinstance(source, Document) else _native.repair_mesh
+        mended = Repair._of(work(source._handle, words, how), source)
+    if strict and mended.failing:
+        told = ", ".join(f"{word}: {count}" for word, count in mended.failing.items())
+        raise DefectError(f"the repair has {told}", None if mended._is_of_parts() else mended.after)
+    return mended
 
 
 def mend(vertices: ArrayLike, faces: Any, **policies: Any) -> tuple[NDArray[Any], Any]:

@@ -153,14 +153,11 @@ impl RepairedFile {
 
     /// How many elements meet a criterion. Defects are those of the result; it must have been judged.
     pub fn count(&self, criterion: Criterion) -> u64 {
-        let reports = self.reports();
         match criterion {
-            Criterion::Defect(kind) => {
-                let after = reports.iter().filter_map(|report| report.after.as_ref()?.group(kind));
-                after.map(|group| group.count).sum()
+            Criterion::Defect(_) | Criterion::Removed => {
+                self.reports().iter().map(|report| report.count(criterion)).sum()
             }
             Criterion::Loss(_) => criterion.count_in(self.losses()),
-            Criterion::Removed => reports.iter().map(|report| report.removed_faces.count).sum(),
             Criterion::Changed => self.is_changed().into(),
             Criterion::Left => self.left(),
         }

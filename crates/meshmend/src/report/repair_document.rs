@@ -11,7 +11,7 @@ use meshmend_repair::{EmptiedName, PassKind, RemovedFace, Repaired, Rounding, em
 use serde::Serialize;
 
 use super::{CheckDocument, Listing, PassDocument, SCHEMA};
-use crate::{Failing, GeometryChanges, StoredCounts};
+use crate::{Criterion, Failing, GeometryChanges, StoredCounts};
 
 /// What a repair did, with every list cut to a limit.
 #[derive(Clone, Debug, Serialize)]
@@ -210,6 +210,19 @@ impl RepairDocument {
 }
 
 impl RepairDocument {
+    /// How much meets a criterion of a gate. Defects are those of the result; it must have been judged.
+    pub fn count(&self, criterion: Criterion) -> u64 {
+        match criterion {
+            Criterion::Defect(kind) => {
+                self.after.as_ref().and_then(|after| after.group(kind)).map_or(0, |group| group.count)
+            }
+            Criterion::Loss(_) => criterion.count_in(&self.losses),
+            Criterion::Removed => self.removed_faces.count,
+            Criterion::Changed => self.changed.into(),
+            Criterion::Left => self.left(),
+        }
+    }
+
     /// How many defects are left, or where the result was not judged, how many the passes say that they left. Notes don't count.
     pub fn left(&self) -> u64 {
         let is_defect = |kind: DefectKind| kind.severity() == Severity::Defect;
