@@ -87,7 +87,11 @@ class InternalError(MeshmendError):
 
 
 class LossWarning(UserWarning):
-    """Something that a file, another library or a type of numbers can't carry."""
+    """Something that a file, another library or a type of numbers can't carry; `losses` says what, each with its kind."""
+
+    def __init__(self, message: str, losses: Sequence[Loss] = ()) -> None:
+        super().__init__(message)
+        self.losses = tuple(losses)
 
 
 def _again(kind: type[MeshmendError], args: tuple[Any, ...], state: dict[str, Any]) -> MeshmendError:

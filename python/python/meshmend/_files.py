@@ -120,7 +120,7 @@ def warned(name: str, losses: list[Loss]) -> list[Loss]:
     """Some losses, of which is warned once, at the line that called meshmend."""
     if losses:
         what = "; ".join(loss.message for loss in losses)
-        warnings.warn(LossWarning(f"{name}: {what}"), stacklevel=outside())
+        warnings.warn(LossWarning(f"{name}: {what}", losses), stacklevel=outside())
     return losses
 
 
