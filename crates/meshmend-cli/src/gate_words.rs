@@ -11,10 +11,10 @@ use crate::failure::{Failure, Status};
 pub(crate) struct GateWords {
     /// End with status 1 if there are any of these: kinds of defect that are left, loss, loss:KIND, removed faces, changed,
     /// or anything that is left
-    #[arg(long, value_name = "WORD", value_delimiter = ',')]
+    #[arg(long, value_name = "KIND", value_delimiter = ',')]
     fail_on: Vec<String>,
     /// Write nothing if one of them is there
-    #[arg(long, requires = "fail_on")]
+    #[arg(long)]
     strict: bool,
 }
 
@@ -30,12 +30,20 @@ pub(crate) enum Asks {
 impl GateWords {
     /// The gate that they make.
     pub(crate) fn gate(&self, rules: Rules) -> Result<Gate, Failure> {
-        self.fail_on.iter().map(|word| criterion(rules, word)).collect::<Result<Vec<_>, _>>().map(Gate::new)
+        let criteria: Result<Vec<_>, _> = self.fail_on.iter().map(|word| criterion(rules, word)).collect();
+        self.checked(Gate::new(criteria?))
     }
 
     /// The gate of a command that mends nothing.
     pub(crate) fn conversion(&self, rules: Rules) -> Result<Gate, Failure> {
-        gate_of(&self.fail_on, rules, Asks::DefectsAndLosses)
+        self.checked(gate_of(&self.fail_on, rules, Asks::DefectsAndLosses)?)
+    }
+
+    fn checked(&self, gate: Gate) -> Result<Gate, Failure> {
+        if self.strict && gate.is_open() {
+            return Err(Failure::usage("--strict needs --fail-on"));
+        }
+        Ok(gate)
     }
 
     /// Whether a file that fails is not written.

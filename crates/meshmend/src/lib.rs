@@ -212,6 +212,7 @@ pub mod files;
 mod gate;
 mod geometry_questions;
 mod loops;
+pub mod maps;
 mod matrix_questions;
 mod mend;
 pub mod report;

@@ -1,12 +1,13 @@
 //! `meshmend repair`: mends a mesh, and names all that it did.
 
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshmend::Rules;
 use meshmend::files::{FileRepair, FileTarget, Judged, RepairedFile};
 use meshmend::formats::{Document, replace_file};
+use meshmend::maps::MapsFile;
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -35,6 +36,9 @@ pub(crate) struct Repair {
     /// Also write the JSON report to a file
     #[arg(long, value_name = "FILE.json")]
     report: Option<PathBuf>,
+    /// Also write to a file where each vertex, face and corner came from, what became of each, and why: arrays for numpy, or JSON
+    #[arg(long, value_name = "FILE.npz|FILE.json")]
+    maps: Option<PathBuf>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -118,6 +122,9 @@ impl Repair {
         if self.words.report_maps && !self.makes_json() {
             return Err(Failure::usage("--report-maps needs --json or --report"));
         }
+        if let Some(maps) = &self.maps {
+            maps_form(maps)?;
+        }
         if self.report.as_deref().is_some_and(is_stream) {
             return Err(Failure::usage(
                 "--report writes a file; --json prints the report to standard output",
@@ -127,38 +134,31 @@ impl Repair {
             .reading("--plan", self.words.policies.plan_file(), Content::Plan)
             .writing("--output", self.output.as_deref(), Content::Mesh)
             .writing("--report", self.report.as_deref(), Content::Report)
+            .writing("--maps", self.maps.as_deref(), Content::Report)
             .check()
     }
 
-    /// Writes the mesh and the report, or in a dry run the report alone. The report is written first and takes its
-    /// place last: there is no report on a mesh that was not written, and no mesh where the report can't be.
+    /// Writes the mesh, the report and the maps, or in a dry run these alone. What is said about a mesh is written first and takes
+    /// its place last: there is no report on a mesh that was not written, and no mesh where the report can't be.
     fn write(
         &self,
         repaired: &RepairedFile,
         is_withheld: bool,
         console: &mut Console<'_>,
     ) -> Result<(), Failure> {
+        let text = self.report.is_some().then(|| report_line(repaired)).transpose()?;
         let mut write_mesh = || if is_withheld { Ok(()) } else { self.write_mesh(repaired, console) };
-        let Some(report) = &self.report else { return write_mesh() };
-        self.write_report(report, &report_line(repaired)?, write_mesh)
-    }
-
-    /// Writes a report round the writing of what it is about.
-    fn write_report(
-        &self,
-        report: &Path,
-        text: &str,
-        write: impl FnOnce() -> Result<(), Failure>,
-    ) -> Result<(), Failure> {
-        let written = replace_file(report, |out| -> Result<(), Interrupted> {
-            out.write_all(text.as_bytes())?;
-            out.flush()?;
-            write().map_err(Interrupted::Mesh)
-        });
-        written.map_err(|interrupted| match interrupted {
-            Interrupted::Mesh(failure) => failure,
-            Interrupted::Report(error) => Failure::unwritable(&name(report), error),
-        })
+        let mut write_maps = || match &self.maps {
+            Some(path) => {
+                let (maps, form) = (MapsFile::of(repaired), maps_form(path)?);
+                write_round(path, |out| form.write(&maps, out), &mut write_mesh)
+            }
+            None => write_mesh(),
+        };
+        match self.report.as_ref().zip(text) {
+            Some((path, text)) => write_round(path, |out| out.write_all(text.as_bytes()), write_maps),
+            None => write_maps(),
+        }
     }
 
     fn write_mesh(&self, repaired: &RepairedFile, console: &mut Console<'_>) -> Result<(), Failure> {
@@ -184,6 +184,50 @@ impl Repair {
 fn report_line(repaired: &RepairedFile) -> Result<String, Failure> {
     let text = repaired.report_json().map_err(|error| Failure::unwritable("report", error))?;
     Ok(text + "\n")
+}
+
+/// How maps are written.
+#[derive(Clone, Copy)]
+enum MapsForm {
+    Npz,
+    Json,
+}
+
+impl MapsForm {
+    fn write(self, maps: &MapsFile, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            MapsForm::Npz => maps.npz(out),
+            MapsForm::Json => maps.json(out),
+        }
+    }
+}
+
+/// How maps are written to a file of this name.
+fn maps_form(path: &Path) -> Result<MapsForm, Failure> {
+    let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+    match ending.to_str() {
+        _ if is_stream(path) => Err(Failure::usage("--maps writes a file")),
+        Some("npz") => Ok(MapsForm::Npz),
+        Some("json") => Ok(MapsForm::Json),
+        _ => Err(Failure::usage(format!("--maps {}: the name has to end in .npz or .json", path.display()))),
+    }
+}
+
+/// Writes a file round the writing of what it is about.
+fn write_round(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    write: impl FnOnce() -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let written = replace_file(path, |out| -> Result<(), Interrupted> {
+        content(out)?;
+        out.flush()?;
+        write().map_err(Interrupted::Mesh)
+    });
+    written.map_err(|interrupted| match interrupted {
+        Interrupted::Mesh(failure) => failure,
+        Interrupted::Report(error) => Failure::unwritable(&name(path), error),
+    })
 }
 
 /// What went wrong while a report was written.
