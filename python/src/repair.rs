@@ -1,11 +1,13 @@
 //! Repairs, and what is known of them.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use meshmend::files::{
-    CutPolygons, FaceNames, FileError, FileRepair, Judged, Maps, PART, PartChoice, PartOutcome, RepairRecord,
-    RepairedFile, RepairedPart, WholeChecks,
+    CutPolygons, FaceNames, FileError, FileRepair, FileTarget, Judged, Maps, PART, PartChoice, PartOutcome,
+    RepairRecord, RepairedFile, RepairedPart, WholeChecks,
 };
+use meshmend::formats::Shell;
 use meshmend::mesh::Watch;
 use meshmend::report::json;
 use meshmend::{Criterion, Gate, KernelKind, Plan, Rules, View};
@@ -19,7 +21,7 @@ use crate::how::How;
 use crate::mesh::{MeshHandle, Origin};
 use crate::plan::{self, PlanHandle};
 use crate::record::RecordHandle;
-use crate::words;
+use crate::words::{self, WriteWords};
 
 /// How to repair.
 #[derive(FromPyObject)]
@@ -34,6 +36,7 @@ pub(crate) struct RepairWords<'py> {
     parts: Vec<String>,
     by: Option<String>,
     fail_on: Vec<String>,
+    output: Option<(PathBuf, WriteWords)>,
 }
 
 /// What was repaired.
@@ -53,6 +56,18 @@ pub(crate) struct RepairHandle {
 }
 
 impl RepairWords<'_> {
+    /// The output that it is repaired for, if that is known: what it can hold, and how it stores that.
+    fn target(&self, shell: Option<&Shell>) -> Done<Option<FileTarget>> {
+        let Some((path, words)) = &self.output else { return Ok(None) };
+        let options = words.options(Some(path))?;
+        let options = match shell {
+            Some(shell) => options.with_shell(shell.clone()),
+            None => options,
+        };
+        // It is written later, if at all.
+        Ok(Some(FileTarget::new(path.display().to_string(), options).rehearsed()))
+    }
+
     fn repair(&self) -> Done<FileRepair> {
         let given = self.plan.as_ref().map(|plan| Plan::clone(&plan.get().plan));
         let cuts = given.is_some() || self.said.iter().any(|(option, _)| option == "triangulate");
@@ -107,9 +122,11 @@ pub(crate) fn repair_mesh(
     let mut repair = errors::raise(py, words.repair())?;
     let handle = mesh.get();
     let origin = handle.origin.as_ref().map(|(origin, _)| Arc::clone(origin));
+    let target = words.target(origin.as_ref().map(|origin| &origin.document.shell));
+    let target = errors::raise(py, target)?;
     let mended = how.watched(py)?.run(|watch| -> Done<Mended> {
         let Some((origin, part)) = &handle.origin else {
-            let mut repaired = repair.run_mesh(&handle.mesh, View::Indexed, None, watch)?;
+            let mut repaired = repair.run_mesh(&handle.mesh, View::Indexed, target.as_ref(), watch)?;
             repaired.report.failing = repair.gate.failing(|criterion| repaired.report.count(criterion));
             return Ok(Mended::Mesh(Box::new(repaired)));
         };
@@ -117,7 +134,7 @@ pub(crate) fn repair_mesh(
         if !document.is_whole() {
             repair.parts.parts = vec![part.to_string()];
         }
-        Ok(Mended::File(repair.run(&origin.name, document, None, watch)?))
+        Ok(Mended::File(repair.run(&origin.name, document, target.as_ref(), watch)?))
     })?;
     Ok(RepairHandle { mended: Arc::new(errors::raise(py, mended)?), origin })
 }
@@ -132,7 +149,8 @@ pub(crate) fn repair_document(
 ) -> PyResult<RepairHandle> {
     let repair = errors::raise(py, words.repair())?;
     let origin = Arc::clone(&document.get().origin);
-    let run = |watch: &Watch| repair.run(&origin.name, origin.document.clone(), None, watch);
+    let target = errors::raise(py, words.target(Some(&origin.document.shell)))?;
+    let run = |watch: &Watch| repair.run(&origin.name, origin.document.clone(), target.as_ref(), watch);
     let file = how.watched(py)?.run(run)?;
     let file = errors::raise(py, file.map_err(Problem::from))?;
     Ok(RepairHandle { mended: Arc::new(Mended::File(file)), origin: Some(origin) })

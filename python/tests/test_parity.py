@@ -1,6 +1,7 @@
 """The reports of the package are those of the command, to the byte."""
 
 import json
+import warnings
 
 import meshmend as mm
 import pytest
@@ -81,12 +82,36 @@ def test_with_maps_and_questions_and_longer_lists_too(command, path):
     assert mm.repair(path, plan=plan, weld="exact").to_json().encode() + b"\n" == ran.stdout
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-def test_the_output_is_that_of_the_command(command, path, tmp_path):
-    here, there = (tmp_path / f"{name}{path.suffix}" for name in ("here", "there"))
-    assert command("repair", path, "--output", there).returncode == 0
-    mm.repair(path).write(here)
+def assert_same_output(command, path, folder, suffix):
+    here, there = folder / "here", folder / "there"
+    here.mkdir()
+    there.mkdir()
+    here, there = here / f"out{suffix}", there / f"out{suffix}"
+    ran = command("repair", path, "--output", there)
+    if ran.returncode:
+        with pytest.raises((mm.MeshmendError, ValueError)):
+            mm.repair(path, output=here).write(here)
+        assert not here.exists()
+        return
+    mended = mm.repair(path, output=there)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", mm.LossWarning)
+        mended.write(here)
     assert here.read_bytes() == there.read_bytes()
+    told = command("repair", "--json", "--dry-run", path, "--output", there)
+    assert mended.to_json().encode() + b"\n" == told.stdout
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".ply", ".stl", ".glb"])
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_the_output_is_that_of_the_command(command, path, tmp_path, suffix):
+    assert_same_output(command, path, tmp_path, suffix)
+
+
+@pytest.mark.skipif(not corpus(), reason="there is no ../shared/corpus here")
+@pytest.mark.parametrize("path", corpus(), ids=lambda path: "/".join(path.parts[-2:]))
+def test_the_output_for_a_corpus_file_is_that_of_the_command(command, path, tmp_path):
+    assert_same_output(command, path, tmp_path, path.suffix.lower())
 
 
 @pytest.mark.skipif(not corpus(), reason="there is no ../shared/corpus here")

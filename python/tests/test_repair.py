@@ -176,11 +176,11 @@ def test_a_strict_kernel_refuses_what_it_can_not_hold(book):
 
 def test_every_option_of_the_command_is_a_keyword(command):
     known = {name.replace("-", "_") for name in _native.registries()["options"]}
-    others = {"plan", "allow_empty", "kernel", "geometry", "near", "pair_budget", "by", "fail_on", "strict"}
+    others = {"plan", "allow_empty", "kernel", "geometry", "near", "pair_budget", "by", "fail_on", "strict", "output"}
     shown = command("repair", "--help").stdout.decode()
     told = {word.replace("-", "_") for word in re.findall(r"--([a-z][a-z-]*[a-z])", shown)}
     # What is about files and reports is an argument of `read`, `write` and `to_json`.
-    files = {"output", "dry_run", "report", "json", "quiet", "no_report", "format", "max_bytes", "max_vertices", "max_faces",
+    files = {"dry_run", "report", "json", "quiet", "no_report", "format", "max_bytes", "max_vertices", "max_faces",
              "part", "from", "to", "encoding", "seams", "manifold_extension", "keep_double", "companions", "report_maps", "limit",
              "help", "threads", "color", "progress", "no_progress", "version", "verbose"}
     policies = told - files - others
@@ -194,6 +194,13 @@ def test_a_repair_is_written_where_it_came_from(tmp_path):
     mended = mm.repair(source)
     mended.write(out)
     assert len(mm.read_document(out).parts) == len(mm.read_document(source).parts)
+
+
+def test_a_file_without_meshes_is_written_as_it_is(tmp_path):
+    file = tmp_path / "none.gltf"
+    file.write_text('{"asset": {"version": "2.0"}}')
+    mm.repair(file).write(tmp_path / "out.gltf")
+    assert len(mm.read_document(tmp_path / "out.gltf").parts) == 0
 
 
 def _parts(tmp_path):

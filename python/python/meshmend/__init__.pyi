@@ -96,6 +96,7 @@ class _RepairOptions(_Policies, _CallOptions, total=False):
     by: Literal["object", "group", "material", "solid"] | None
     fail_on: Sequence[_Kind | Literal["removed", "changed", "left"]]
     strict: bool
+    output: str | PathLike[str] | None
 
 class _MendOptions(_Policies, _CallOptions, total=False):
     plan: Plan | str | PathLike[str] | None
@@ -540,6 +541,7 @@ def repair(
     by: Literal["object", "group", "material", "solid"] | None = None,
     fail_on: Sequence[_Kind | Literal["removed", "changed", "left"]] = (),
     strict: bool = False,
+    output: str | PathLike[str] | None = None,
     threads: int | None = None,
     progress: _Progress | bool | None = None,
     **policies: Unpack[_Policies],

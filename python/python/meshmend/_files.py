@@ -57,15 +57,15 @@ def write(
     progress: Any = None,
 ) -> list[Loss]:
     """Whole or not at all. Losses are returned and warned of; with `strict` they raise and nothing is written."""
-    words = {
-        "format": format,
-        "encoding": encoding,
-        "strict": strict,
-        "seams": seams,
-        "manifold_extension": manifold_extension,
-        "keep_double": keep_double,
-        "companions": companions,
-    }
+    words = write_words(
+        format=format,
+        encoding=encoding,
+        strict=strict,
+        seams=seams,
+        manifold_extension=manifold_extension,
+        keep_double=keep_double,
+        companions=companions,
+    )
     what = _handle(mesh)
     if not hasattr(target, "write"):
         path = os.fspath(target)
@@ -84,15 +84,7 @@ def write(
 
 def encode(mesh: object, format: str, **options: Any) -> bytes:
     """The bytes of a file. Losses are warned of; with `strict` they raise."""
-    words = {
-        "format": format,
-        "encoding": None,
-        "strict": False,
-        "seams": "split",
-        "manifold_extension": False,
-        "keep_double": False,
-        "companions": "copy",
-    }
+    words = write_words(format=format)
     unknown = options.keys() - words.keys()
     if unknown:
         raise TypeError(f"encode() got an unexpected keyword argument '{min(unknown)}'")
@@ -100,6 +92,12 @@ def encode(mesh: object, format: str, **options: Any) -> bytes:
         content, told = _native.write(_handle(mesh), None, words | options, how)
     warned(f"output.{format}", losses_of(told))
     return bytes(content)
+
+
+def write_words(**given: Any) -> dict[str, Any]:
+    """How to write, for `_native`."""
+    usual = {"seams": "split", "manifold_extension": False, "keep_double": False, "companions": "copy"}
+    return {"format": None, "encoding": None, "strict": False, **usual, **given}
 
 
 def loaded(thing: object, called: Callable[..., Any]) -> Mesh:

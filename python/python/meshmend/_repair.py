@@ -16,7 +16,7 @@ from ._check import Check, geometry_words
 from ._defects import Defects, by_kind
 from ._document import Document
 from ._errors import DefectError
-from ._files import read_document, is_file, warned
+from ._files import read_document, is_file, warned, write_words
 from ._mesh import Mesh, mesh_as_read
 from ._notes import Loss
 from ._plan import Plan, said
@@ -149,7 +149,8 @@ class Repair:
         """Writes the mesh as `meshmend.write` does; into the whole of its file, if that holds more and has the same format."""
         from ._files import write
 
-        return write(self.document or self.mesh, target, **options)
+        document = self.document
+        return write(self.mesh if document is None else document, target, **options)
 
     def __str__(self) -> str:
         """What the command line prints."""
@@ -221,12 +222,15 @@ def repair(
     by: str | None = None,
     fail_on: Sequence[str] = (),
     strict: bool = False,
+    output: str | os.PathLike[str] | None = None,
     threads: int | None = None,
     progress: Any = None,
     **policies: Any,
 ) -> Repair:
     """Mends what is wrong with a mesh, and names all that it did. The keywords are the options of `meshmend repair`.
 
+    With `output` it is mended for the file that it will be written to, as on the command line: what that can't hold, such as
+    polygons, digits or shared vertices, is known to the passes, and the report says what is lost.
     What `fail_on` names, such as kinds of defect, `removed`, `changed` or `left`, is in `Repair.failing`; with `strict` it raises.
     """
     given = plan if plan is None or isinstance(plan, Plan) else Plan.read(plan)
@@ -240,6 +244,7 @@ def repair(
         "parts": [str(part) for part in parts],
         "by": by,
         "fail_on": list(fail_on),
+        "output": None if output is None else (os.fspath(output), write_words()),
     }
     with watched(threads, progress) as how:
         source = _source(mesh, is_whole=bool(parts) or by is not None, how=how)
