@@ -28,9 +28,10 @@ pub(crate) enum Asks {
 }
 
 impl GateWords {
-    /// The gate that they make.
-    pub(crate) fn gate(&self, rules: Rules) -> Result<Gate, Failure> {
-        let criteria: Result<Vec<_>, _> = self.fail_on.iter().map(|word| criterion(rules, word)).collect();
+    /// The gate that they make, or else a plan.
+    pub(crate) fn gate(&self, rules: Rules, planned: &[String]) -> Result<Gate, Failure> {
+        let words = if self.fail_on.is_empty() { planned } else { &self.fail_on };
+        let criteria: Result<Vec<_>, _> = words.iter().map(|word| criterion(rules, word)).collect();
         self.checked(Gate::new(criteria?))
     }
 

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use clap::ValueEnum;
 use meshmend::formats::{AttributePrecision, Companions, ManifoldExtension, Shell};
-use meshmend::{Encoding, Format, ReadFile, Seams, WriteOptions};
+use meshmend::passes::WrittenSeams;
+use meshmend::{Encoding, Format, Plan, ReadFile, Seams, WriteOptions};
 
 use crate::failure::{Failure, Status};
 use crate::format_words;
@@ -34,9 +35,9 @@ pub(crate) struct OutputWords {
     /// How the output spells its numbers; by default as the input does, if it has the same format
     #[arg(long, value_enum)]
     encoding: Option<EncodingWord>,
-    /// How a vertex is written whose attributes differ from face to face
-    #[arg(long, value_enum, default_value = "split")]
-    seams: SeamsWord,
+    /// How a vertex is written whose attributes differ from face to face; by default split, or as the plan says
+    #[arg(long, value_enum)]
+    seams: Option<SeamsWord>,
     /// Say in each mesh of a glTF that is a closed manifold which of its vertices are one (EXT_mesh_manifold), so that
     /// vertices that were split stay apart
     #[arg(long)]
@@ -71,6 +72,17 @@ enum SeamsWord {
 }
 
 impl OutputWords {
+    /// These words, and where they say nothing those of a plan.
+    pub(crate) fn planned(self, plan: &Plan) -> Self {
+        let planned = plan.files.seams.and_then(|seams| match seams {
+            WrittenSeams::Split => Some(SeamsWord::Split),
+            WrittenSeams::Corners => Some(SeamsWord::Corners),
+            WrittenSeams::Fail => Some(SeamsWord::Fail),
+            _ => None,
+        });
+        OutputWords { seams: self.seams.or(planned), ..self }
+    }
+
     /// The format of a file to write; for standard output that may be the one of the input.
     pub(crate) fn format(self, path: &Path, input: Option<Format>) -> Result<Format, Failure> {
         let named = if is_stream(path) { input } else { Format::from_path(path) };
@@ -118,9 +130,9 @@ impl OutputWords {
             })?),
         };
         let seams = match self.seams {
-            SeamsWord::Split => Seams::Split,
-            SeamsWord::Corners => Seams::Corners,
-            SeamsWord::Fail => Seams::Fail,
+            None | Some(SeamsWord::Split) => Seams::Split,
+            Some(SeamsWord::Corners) => Seams::Corners,
+            Some(SeamsWord::Fail) => Seams::Fail,
         };
         let precision = match self.keep_double {
             true => AttributePrecision::Double,

@@ -9,7 +9,9 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command};
 use meshmend::files::CutPolygons;
-use meshmend::passes::{Emptying, OptionValues, PassOption, Passes, Said, SayingError};
+use meshmend::passes::{
+    Emptying, OptionValues, PRESETS, PassOption, Passes, PlanError, Preset, Said, SayingError,
+};
 use meshmend::{PassKind, Plan};
 
 use crate::failure::Failure;
@@ -23,6 +25,9 @@ const OFF: &str = "off";
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Policies")]
 pub(crate) struct Policies {
+    /// Take the plan for a purpose; `preset` prints it, a plan file and the options below override it
+    #[arg(long, value_name = "NAME", value_parser = preset_names())]
+    preset: Option<String>,
     /// Read passes, their order and options from a TOML file; the options below override it
     #[arg(long, value_name = "FILE")]
     plan: Option<PathBuf>,
@@ -83,8 +88,15 @@ impl Policies {
 
     /// The plan that they make.
     pub(crate) fn plan(&self) -> Result<Plan, Failure> {
-        let default = || Ok(Plan::of(self.passes));
-        let plan = self.plan.as_deref().map_or_else(default, |path| read_plan(path, self.passes))?;
+        let preset = self.preset.as_deref().and_then(Preset::from_name);
+        let plan = match (preset, self.plan.as_deref()) {
+            (None, None) => Plan::of(self.passes),
+            (None, Some(path)) => read_plan(path, |text| Plan::from_toml_with(text, self.passes))?,
+            (Some(preset), None) => {
+                preset.plan(None, self.passes).map_err(|error| Failure::usage(error.to_string()))?
+            }
+            (Some(preset), Some(path)) => read_plan(path, |text| preset.plan(Some(text), self.passes))?,
+        };
         let plan = if self.allow_empty { Plan { empty: Emptying::Allow, ..plan } } else { plan };
         plan.saying(&self.said).map_err(|error| {
             Failure::usage(match error {
@@ -105,7 +117,12 @@ impl Policies {
     }
 }
 
-fn read_plan(path: &Path, passes: Passes) -> Result<Plan, Failure> {
+/// The names of the presets.
+pub(crate) fn preset_names() -> PossibleValuesParser {
+    PossibleValuesParser::new(PRESETS.map(|preset| PossibleValue::new(preset.name).help(preset.purpose)))
+}
+
+fn read_plan(path: &Path, read: impl FnOnce(&str) -> Result<Plan, PlanError>) -> Result<Plan, Failure> {
     let failed = |reason: String| Failure::usage(format!("{}: {reason}", path.display()));
     let mut text = String::new();
     let file = File::open(path).map_err(|error| failed(error.to_string()))?;
@@ -114,7 +131,7 @@ fn read_plan(path: &Path, passes: Passes) -> Result<Plan, Failure> {
     if length as u64 == LONGEST_PLAN {
         return Err(failed("too long for a plan".to_owned()));
     }
-    Plan::from_toml_with(&text, passes).map_err(|error| failed(error.to_string()))
+    read(&text).map_err(|error| failed(error.to_string()))
 }
 
 #[cfg(test)]

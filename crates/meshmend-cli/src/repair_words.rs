@@ -19,9 +19,10 @@ pub(crate) struct RepairWords {
     /// The structure to compute on; the result is the same, unless it can't hold the mesh
     #[arg(long, default_value = "edge-use")]
     kernel: String,
-    /// How many items each list of the report shows at most, also in JSON; counts are always whole
-    #[arg(long, value_name = "N", default_value_t = 10)]
-    limit: usize,
+    /// How many items each list of the report shows at most, also in JSON, by default 10 or as the plan says; counts are always
+    /// whole
+    #[arg(long, value_name = "N")]
+    limit: Option<usize>,
     #[command(flatten)]
     pub(crate) gate: GateWords,
     #[command(flatten)]
@@ -37,8 +38,8 @@ impl RepairWords {
         repair.cut_polygons = self.policies.cut_polygons();
         repair.kernel = words::kernel(&self.kernel)?;
         repair.rules = rules;
-        repair.limit = self.limit;
-        repair.gate = self.gate.gate(rules)?;
+        repair.limit = self.limit.or(repair.plan.files.limit).unwrap_or(repair.limit);
+        repair.gate = self.gate.gate(rules, &repair.plan.files.fail_on)?;
         repair.geometry = self.geometry.options(&repair.gate.defects(), usize::MAX)?;
         repair.maps = if self.report_maps { Maps::Whole } else { Maps::LeftOut };
         Ok(repair)

@@ -2,18 +2,13 @@
 
 mod common;
 
-use std::fs;
 use std::process::Command;
 
-use common::{Folder, example, meshmend};
+use common::{Folder, example, json_file as read, meshmend};
 use serde_json::{Value, json};
 
 const SQUARE: &str =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 9 9 9\nf 1 2 3\nf 4 5 6\nf 1 1 2\nf 2 3 1\n";
-
-fn read(path: &str) -> Value {
-    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
-}
 
 #[test]
 fn maps_are_written_as_json() {

@@ -3,6 +3,9 @@
 //! ```toml
 //! passes = ["weld", "clean", "orient", "split", "triangulate", "compact", "verify"]
 //! empty = "refuse"                    # allow: a result without a face
+//! fail-on = ["boundary-edge"]         # what fails a run of the command line; by default nothing
+//! seams = "split"                     # corners, fail: how the command line writes vertices whose attributes differ
+//! limit = 10                          # how many items each list of its report shows
 //!
 //! [weld]
 //! distance = { relative = 1e-6 }      # or "exact", "single", { absolute = 0.01 }
@@ -36,11 +39,13 @@
 //!
 //! What is not said has its default. A word that is not known is an error, with its line.
 
+mod files;
 mod form;
 mod order;
 mod saying;
 mod words;
 
+pub use self::files::{FilePolicies, WrittenSeams};
 pub use self::saying::{Said, SayingError};
 
 use serde::Serialize;
@@ -96,11 +101,16 @@ impl Plan {
     /// # Errors
     /// As [`from_toml`](Self::from_toml).
     pub fn from_toml_with(text: &str, passes: Passes) -> Result<Self, PlanError> {
-        let read =
-            toml::Deserializer::parse(text).and_then(|deserializer| PlanOf(passes).deserialize(deserializer));
-        let plan = read.map_err(|error| PlanError(error.to_string().trim_end().to_owned()))?;
+        let plan = Plan::read(text, passes)?;
         plan.check_order()?;
         Ok(plan)
+    }
+
+    /// Reads what a plan says, whether its passes may stand together or not.
+    pub(crate) fn read(text: &str, passes: Passes) -> Result<Self, PlanError> {
+        let read =
+            toml::Deserializer::parse(text).and_then(|deserializer| PlanOf(passes).deserialize(deserializer));
+        read.map_err(|error| PlanError(error.to_string().trim_end().to_owned()))
     }
 
     /// The plan as a TOML text, which [`from_toml`](Self::from_toml) reads back as the same plan.

@@ -19,6 +19,7 @@ mod matrix;
 #[cfg(feature = "render")]
 mod placed_overlays;
 mod pointers;
+mod preset;
 #[cfg(feature = "render")]
 mod render;
 mod repair;
@@ -56,6 +57,7 @@ pub(crate) enum Command {
     /// Lay surfaces out in the unit square (left out of this build)
     #[cfg(not(feature = "flatten"))]
     Flatten(left_out::LeftOut),
+    Preset(preset::Preset),
     Make(make::Make),
     Pointers(pointers::Pointers),
     Kernels(kernels::KernelsCommand),
@@ -90,7 +92,7 @@ impl Command {
             #[cfg(not(feature = "flatten"))]
             Command::Flatten(_) => &[],
             Command::Explain(command) => command.file.as_slice(),
-            Command::Make(_) | Command::Completions(_) => &[],
+            Command::Preset(_) | Command::Make(_) | Command::Completions(_) => &[],
         }
     }
 
@@ -120,6 +122,7 @@ impl Command {
             Command::Flatten(command) => command.run(console),
             #[cfg(not(feature = "flatten"))]
             Command::Flatten(command) => command.run("flatten"),
+            Command::Preset(command) => command.run(console),
             Command::Make(command) => command.run(console),
             Command::Kernels(command) => command.run(program.kernels, console),
             Command::Pointers(command) => command.run(program.kernels, console),

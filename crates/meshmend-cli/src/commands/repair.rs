@@ -4,10 +4,10 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use meshmend::Rules;
 use meshmend::files::{FileRepair, FileTarget, Judged, RepairedFile};
 use meshmend::formats::{Document, replace_file};
 use meshmend::maps::MapsFile;
+use meshmend::{Plan, Rules};
 
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -65,7 +65,7 @@ impl Repair {
         let progress = console.progress(repair.plan.passes.len() + 4);
         progress.step("read");
         let document = self.from.read_document(&self.input, console)?;
-        let target = self.target(&document)?;
+        let target = self.target(&document, &repair.plan)?;
         let mut repaired = repair.run(&name(&self.input), document, target.as_ref(), &progress.watch())?;
         let is_withheld = self.words.gate.withholds(repaired.failing());
         if is_withheld {
@@ -106,9 +106,9 @@ impl Repair {
     }
 
     /// The output, if there is one.
-    fn target(&self, document: &Document) -> Result<Option<FileTarget>, Failure> {
+    fn target(&self, document: &Document, plan: &Plan) -> Result<Option<FileTarget>, Failure> {
         let Some(path) = self.output.as_deref() else { return Ok(None) };
-        let options = self.to.options_of(path, document.format, &document.shell)?;
+        let options = self.to.planned(plan).options_of(path, document.format, &document.shell)?;
         let target = FileTarget::new(output_name(path), options);
         Ok(Some(if self.dry_run { target.rehearsed() } else { target }))
     }

@@ -49,6 +49,11 @@ impl Drop for Folder {
     }
 }
 
+/// A file as one JSON value.
+pub(crate) fn json_file(path: &str) -> Value {
+    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+}
+
 /// The path of one of the examples.
 pub(crate) fn example(name: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");

@@ -9,7 +9,7 @@ use serde::de::MapAccess;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::{Emptying, Pass, PassOption, PassRow, PlanError};
+use crate::{Emptying, FilePolicies, Pass, PassOption, PassRow, PlanError};
 
 macro_rules! passes {
     ($($file:ident: $variant:ident $(, $option:ident)*;)*) => {
@@ -85,12 +85,14 @@ macro_rules! passes {
             $(#[doc = concat!("Options of `", stringify!($file), "`.")] pub $file: $variant,)*
             /// The passes of other crates whose options are not the defaults, each once.
             pub own: Vec<OwnPass>,
+            /// What is said beside the passes, for whoever reads and writes the files.
+            pub files: FilePolicies,
         }
 
         impl Plan {
             /// A plan of these passes with their defaults.
             pub(crate) fn running(passes: Vec<PassKind>) -> Self {
-                Plan { passes, empty: Emptying::default(), $($file: $variant::default(),)* own: Vec::new() }
+                Plan { passes, empty: Emptying::default(), $($file: $variant::default(),)* own: Vec::new(), files: FilePolicies::default() }
             }
 
             /// The options of one of meshmend's own passes.

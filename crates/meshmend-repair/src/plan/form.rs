@@ -7,13 +7,19 @@ use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::Table;
 
-use crate::{AnyPass, PassKind, PassRow, Passes, Plan};
+use crate::{AnyPass, FilePolicies, PassKind, PassRow, Passes, Plan};
 
 impl Serialize for Plan {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("passes", &self.passes)?;
         map.serialize_entry("empty", &self.empty)?;
+        let FilePolicies { fail_on, seams, limit } = &self.files;
+        if !fail_on.is_empty() {
+            map.serialize_entry("fail-on", fail_on)?;
+        }
+        seams.iter().try_for_each(|seams| map.serialize_entry("seams", seams))?;
+        limit.iter().try_for_each(|limit| map.serialize_entry("limit", limit))?;
         self.write_builtin(&mut map)?;
         for pass in &self.own {
             let options = pass.kind().row().form.write(pass.as_pass());
@@ -51,6 +57,9 @@ impl<'de> Visitor<'de> for PlanOf {
             match key {
                 PlanKey::Passes => plan.passes = map.next_value_seed(Names(self.0))?,
                 PlanKey::Empty => plan.empty = map.next_value()?,
+                PlanKey::FailOn => plan.files.fail_on = map.next_value()?,
+                PlanKey::Seams => plan.files.seams = Some(map.next_value()?),
+                PlanKey::Limit => plan.files.limit = Some(map.next_value()?),
                 PlanKey::Options(PassKind::Own(row)) => plan.put(map.next_value_seed(OwnOptions(row))?),
                 PlanKey::Options(kind) => plan.read_builtin(kind, &mut map)?,
             }
@@ -63,6 +72,9 @@ impl<'de> Visitor<'de> for PlanOf {
 enum PlanKey {
     Passes,
     Empty,
+    FailOn,
+    Seams,
+    Limit,
     Options(PassKind),
 }
 
@@ -79,13 +91,16 @@ impl<'de> DeserializeSeed<'de> for Key {
 impl Visitor<'_> for Key {
     type Value = PlanKey;
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("`passes`, `empty` or the name of a pass")
+        f.write_str("`passes`, `empty`, `fail-on`, `seams`, `limit` or the name of a pass")
     }
 
     fn visit_str<E: Error>(self, key: &str) -> Result<PlanKey, E> {
         match key {
             "passes" => Ok(PlanKey::Passes),
             "empty" => Ok(PlanKey::Empty),
+            "fail-on" => Ok(PlanKey::FailOn),
+            "seams" => Ok(PlanKey::Seams),
+            "limit" => Ok(PlanKey::Limit),
             name => known(self.0, name).map(PlanKey::Options),
         }
     }
