@@ -259,7 +259,8 @@ def repair(
 def mend(vertices: ArrayLike, faces: Any, **policies: Any) -> tuple[NDArray[Any], Any]:
     """Arrays in, arrays out, in the types that came in. The keywords are those of `repair`."""
     mended = repair(Mesh(vertices, faces), report=False, **policies)
-    points = _of_type(mended.mesh.vertices, np.asarray(vertices).dtype, len(mended.vertices.created))
+    sources, _ = mended._record().sources("vertices")
+    points = _of_type(mended.mesh.vertices, np.asarray(vertices).dtype, sources < 0)
     if isinstance(faces, tuple) and len(faces) == 2:
         corners, offsets = (np.asarray(array).dtype for array in faces)
         return points, (_ids_of_type(mended.mesh.corners, corners), _ids_of_type(mended.mesh.offsets, offsets))
@@ -292,14 +293,14 @@ def _pass(record: Any) -> PassRecord:
     return PassRecord(name, changed, by_kind(mended), by_kind(left), changes)
 
 
-def _of_type(points: NDArray[np.float64], wanted: np.dtype[Any], created: int) -> NDArray[Any]:
+def _of_type(points: NDArray[np.float64], wanted: np.dtype[Any], is_created: NDArray[np.bool_]) -> NDArray[Any]:
     """Positions in the type that came in. Only those of created vertices can be rounded by it."""
     if not np.issubdtype(wanted, np.floating):
         whole = points.astype(wanted) if np.issubdtype(wanted, np.integer) and np.isfinite(points).all() else points
         return np.array(whole if np.array_equal(whole, points) else points)
     given = points.astype(wanted)
-    rounded = int((given.astype(np.float64) != points).any(axis=1).sum() - np.isnan(points).any(axis=1).sum())
-    if rounded > 0 and created:
+    rounded = int((given[is_created].astype(np.float64) != points[is_created]).any(axis=1).sum())
+    if rounded:
         message = f"the positions of {rounded} created vertices are rounded to {wanted}"
         warned("vertices", [Loss("precision", rounded, message)])
     return given
