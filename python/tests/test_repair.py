@@ -176,7 +176,7 @@ def test_a_strict_kernel_refuses_what_it_can_not_hold(book):
 
 def test_every_option_of_the_command_is_a_keyword(command):
     known = {name.replace("-", "_") for name in _native.registries()["options"]}
-    others = {"plan", "allow_empty", "kernel", "geometry", "near", "pair_budget", "by", "fail_on", "strict", "output"}
+    others = {"plan", "preset", "allow_empty", "kernel", "geometry", "near", "pair_budget", "by", "fail_on", "strict", "output"}
     shown = command("repair", "--help").stdout.decode()
     told = {word.replace("-", "_") for word in re.findall(r"--([a-z][a-z-]*[a-z])", shown)}
     # What is about files and reports is an argument of `read`, `write` and `to_json`.
