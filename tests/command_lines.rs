@@ -27,6 +27,7 @@ fn good(argument: &Arg) -> (String, bool) {
         (_, "CELLS") => ("v0", false),
         (_, "FIELDS") => ("2", false),
         (_, "N" | "V" | "G" | "M" | "B" | "K") => ("3", false),
+        (_, "SIZE") => ("4GiB", false),
         (_, "TIMES") => ("1", false),
         (_, "DEGREES") => ("-30", false),
         (_, "WxH") => ("320x240", false),

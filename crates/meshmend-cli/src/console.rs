@@ -18,6 +18,8 @@ pub struct Console<'a> {
     is_closed: bool,
     /// Whether standard output carries what a command makes, and no reports.
     is_reserved: bool,
+    /// Whether the streams are those of the process, which is then the program's own.
+    is_of_process: bool,
 }
 
 /// A stream, and whether somebody watches it on a terminal.
@@ -37,6 +39,7 @@ impl Console<'static> {
             errors: Stream::of_process(errors),
             is_closed: false,
             is_reserved: false,
+            is_of_process: true,
         }
     }
 }
@@ -45,7 +48,8 @@ impl<'a> Console<'a> {
     /// Any two streams, to which plain text is written; standard input is empty.
     pub fn of(out: &'a mut (dyn Write + Send), errors: &'a mut (dyn Write + Send)) -> Self {
         let (out, errors) = (Stream::plain(out), Stream::plain(errors));
-        Console { input: Some(Box::new(io::empty())), out, errors, is_closed: false, is_reserved: false }
+        let input: Option<Box<dyn Read + Send>> = Some(Box::new(io::empty()));
+        Console { input, out, errors, is_closed: false, is_reserved: false, is_of_process: false }
     }
 
     /// These streams, with another one to read `-` from.
@@ -72,6 +76,14 @@ impl<'a> Console<'a> {
     /// How reports are marked up.
     pub(crate) fn style(&self) -> Style {
         if self.is_reserved { self.errors.style } else { self.out.style }
+    }
+
+    /// Fails unless the process is the program's own, so that a command may limit it, or start it again.
+    pub(crate) fn own_process(&self, command: &str) -> Result<(), Failure> {
+        match self.is_of_process {
+            true => Ok(()),
+            false => Err(Failure::usage(format!("{command} needs a process of its own"))),
+        }
     }
 
     /// Whether nobody reads any more.

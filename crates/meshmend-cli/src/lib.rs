@@ -10,6 +10,7 @@ mod failure;
 mod format_words;
 mod gate_words;
 mod geometry_words;
+mod jobs;
 mod output_words;
 mod outputs;
 mod parts;
@@ -139,7 +140,9 @@ impl Program {
 
     fn description(&self) -> clap::Command {
         let with_options = |repair| policies::with_options(repair, self.passes);
-        CommandLine::command().mut_subcommand("repair", with_options)
+        ["repair", "worker"]
+            .into_iter()
+            .fold(CommandLine::command(), |line, command| line.mut_subcommand(command, with_options))
     }
 }
 

@@ -9,7 +9,7 @@ use meshmend::{Encoding, Format, Plan, ReadFile, Seams, WriteOptions};
 
 use crate::failure::{Failure, Status};
 use crate::format_words;
-use crate::streams::{is_stream, output_name};
+use crate::streams::{STREAM, is_stream, output_name};
 
 /// How an output file spells its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -87,6 +87,17 @@ impl OutputWords {
     pub(crate) fn format(self, path: &Path, input: Option<Format>) -> Result<Format, Failure> {
         let named = if is_stream(path) { input } else { Format::from_path(path) };
         self.format.or(named).ok_or_else(|| format_is_not_told(path))
+    }
+
+    /// These words with another format, where a job names one.
+    pub(crate) fn in_format_named(self, word: Option<&str>) -> Result<Self, Failure> {
+        let Some(word) = word else { return Ok(self) };
+        Ok(OutputWords { format: Some(format_words::format(word).map_err(Failure::usage)?), ..self })
+    }
+
+    /// How to write the bytes of a file of this name that comes from no other, and that stands nowhere yet.
+    pub(crate) fn options_of_bytes(self, name: &Path) -> Result<WriteOptions, Failure> {
+        self.in_format(Path::new(STREAM), self.format(name, None)?)
     }
 
     /// Whether it can be known only from the input in which format a file is written.

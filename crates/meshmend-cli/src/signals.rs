@@ -11,10 +11,18 @@ pub fn end_cleanly() {
     unix::wait_in_a_thread();
 }
 
+/// Returns when the thread that waits for signals does so, if there is one.
+#[cfg(unix)]
+pub(crate) fn wait_until_heard() {
+    unix::wait_until_heard();
+}
+
 #[cfg(unix)]
 mod unix {
     use std::fs;
     use std::process;
+    use std::sync::OnceLock;
+    use std::sync::atomic::{AtomicBool, Ordering};
     use std::thread;
 
     use meshmend::formats::abandon_temporary_files;
@@ -28,11 +36,24 @@ mod unix {
     /// What a shell adds to the number of a signal in the status of what it ended.
     const ENDED_BY_A_SIGNAL: i32 = 128;
 
+    /// Whether there is a thread that waits for signals.
+    static HAS_THREAD: AtomicBool = AtomicBool::new(false);
+    /// Set when it runs.
+    static RUNS: OnceLock<()> = OnceLock::new();
+
     pub(super) fn wait_in_a_thread() {
-        thread::Builder::new().name("signals".to_owned()).stack_size(STACK_BYTES).spawn(wait).ok();
+        let thread = thread::Builder::new().name("signals".to_owned()).stack_size(STACK_BYTES).spawn(wait);
+        HAS_THREAD.store(thread.is_ok(), Ordering::Relaxed);
+    }
+
+    pub(super) fn wait_until_heard() {
+        if HAS_THREAD.load(Ordering::Relaxed) {
+            RUNS.wait();
+        }
     }
 
     fn wait() {
+        RUNS.get_or_init(|| ());
         let ignored = ignored_signals();
         let is_heard = |signal: &i32| ignored & (1 << (signal - 1)) == 0;
         let Ok(mut signals) =

@@ -16,6 +16,8 @@ use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
 
+/// What stands for a standard stream on the command line.
+pub(crate) const STREAM: &str = "-";
 /// What standard input is called in reports and messages.
 const INPUT: &str = "standard input";
 /// What standard output is called in reports and messages.
@@ -86,7 +88,7 @@ pub(crate) fn as_one_mesh(document: Document, placing: Placing, path: &Path) -> 
 
 /// Whether a name stands for a standard stream.
 pub(crate) fn is_stream(path: &Path) -> bool {
-    path.as_os_str() == "-"
+    path.as_os_str() == STREAM
 }
 
 /// What an input is called in reports and messages.

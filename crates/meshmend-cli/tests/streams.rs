@@ -6,23 +6,9 @@ mod common;
 
 use std::fs;
 use std::io::Write;
-use std::process::{Output, Stdio};
+use std::process::Stdio;
 
-use common::{Folder, example, meshmend, program};
-
-/// Runs the program with some bytes on its standard input.
-fn piped(arguments: &[&str], input: &[u8]) -> Output {
-    let mut child = program()
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A program that does not read all of it has its reasons.
-    child.stdin.take().unwrap().write_all(input).ok();
-    child.wait_with_output().unwrap()
-}
+use common::{Folder, example, meshmend, piped, program};
 
 /// A copy of an example that names no other file: a stream has no folder in which that could be missed.
 fn alone(folder: &Folder, name: &str) -> (String, Vec<u8>) {

@@ -23,6 +23,7 @@ mod preset;
 #[cfg(feature = "render")]
 mod render;
 mod repair;
+mod worker;
 
 pub(crate) use check::CheckedFile;
 
@@ -41,6 +42,7 @@ use crate::failure::{Failure, Status};
 pub(crate) enum Command {
     Check(check::Check),
     Repair(Box<repair::Repair>),
+    Worker(Box<worker::Worker>),
     Convert(convert::Convert),
     Advise(advise::Advise),
     Loops(loops::Loops),
@@ -92,15 +94,19 @@ impl Command {
             #[cfg(not(feature = "flatten"))]
             Command::Flatten(_) => &[],
             Command::Explain(command) => command.file.as_slice(),
-            Command::Preset(_) | Command::Make(_) | Command::Completions(_) => &[],
+            Command::Preset(_) | Command::Worker(_) | Command::Make(_) | Command::Completions(_) => &[],
         }
     }
 
     /// Takes over what the command line says of the options of these passes.
     pub(crate) fn take_policies(&mut self, matches: &ArgMatches, passes: Passes) {
-        if let (Command::Repair(command), Some((_, matches))) = (self, matches.subcommand()) {
-            command.words.policies.take(matches, passes);
-        }
+        let Some((_, matches)) = matches.subcommand() else { return };
+        let words = match self {
+            Command::Repair(command) => &mut command.words,
+            Command::Worker(command) => &mut command.words,
+            _ => return,
+        };
+        words.policies.take(matches, passes);
     }
 
     pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
@@ -110,6 +116,7 @@ impl Command {
             Command::Repair(command) => command.run(rules, console),
             Command::Convert(command) => command.run(rules, console),
             Command::Advise(command) => command.run(console),
+            Command::Worker(command) => command.run(rules, console),
             Command::Loops(command) => command.run(console),
             Command::Cut(command) => command.run(console),
             #[cfg(feature = "render")]

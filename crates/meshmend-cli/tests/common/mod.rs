@@ -4,8 +4,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests alone use this")]
 
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use serde_json::Value;
@@ -102,6 +103,20 @@ pub(crate) fn program() -> Command {
 
 pub(crate) fn meshmend(arguments: &[&str]) -> Run {
     Run::of(program().args(arguments).output().unwrap())
+}
+
+/// Runs the program with some bytes on its standard input.
+pub(crate) fn piped(arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = program()
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A program that does not read all of it has its reasons.
+    child.stdin.take().unwrap().write_all(input).ok();
+    child.wait_with_output().unwrap()
 }
 
 /// The group of a kind in a list of defects.

@@ -24,6 +24,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod digest;
 mod error;
 mod face_names;
 mod judging;
@@ -34,6 +35,8 @@ mod prepared;
 mod record;
 mod repair;
 mod repaired;
+mod row;
+mod sha256;
 mod target;
 
 pub use self::error::FileError;
@@ -45,4 +48,5 @@ pub use self::prepared::PreparedFile;
 pub use self::record::{KeptChecks, RepairRecord, WholeChecks};
 pub use self::repair::{CutPolygons, FileRepair, Maps};
 pub use self::repaired::{PartOutcome, RepairedFile, RepairedMesh, RepairedPart, RepairedParts};
+pub use self::sha256::{sha256, sha256_of};
 pub use self::target::FileTarget;

@@ -16,6 +16,7 @@
 //! ```
 
 mod advice_document;
+mod batch_document;
 mod check_document;
 mod geometry_document;
 mod incremental_document;
@@ -26,10 +27,12 @@ mod matrix_document;
 mod parts_document;
 mod pass_document;
 mod repair_document;
+mod row;
 #[cfg(feature = "flatten")]
 mod unfold_document;
 
 pub use advice_document::AdviceDocument;
+pub use batch_document::BatchDocument;
 pub use check_document::{CheckDocument, DefectGroup};
 pub use geometry_document::{
     ComponentDocument, ContactCounts, GeometryDocument, IntersectionsDocument, LoopCounts, OpenLoopDocument,
@@ -52,6 +55,7 @@ pub use repair_document::{
     BeforeAndAfter, CreatedFace, CreatedVertex, EmptiedNameDocument, NamedFace, ProvenanceDocument,
     RemovedFaces, RepairDocument,
 };
+pub use row::{LONGEST_ROW_MESSAGE, Row, RowFigures, RowLoss, RowStatus};
 use serde::Serialize;
 #[cfg(feature = "flatten")]
 pub use unfold_document::UnfoldDocument;

@@ -1,0 +1,33 @@
+//! The limit on the memory of a worker.
+
+/// Limits the address space of this process: what it can't get then is an error of the reader, or ends it.
+///
+/// The program is begun anew under the limit, unless it has it already: an allocator sets address space aside before anything
+/// else runs, and what it has can't be taken back.
+///
+/// # Errors
+/// If the system has no such limit, or refuses it.
+#[cfg(unix)]
+pub(crate) fn limit_address_space(bytes: u64) -> Result<(), String> {
+    use std::os::unix::process::CommandExt;
+    use std::process::Command;
+
+    use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+
+    let Rlimit { current, maximum } = getrlimit(Resource::As);
+    if current.is_some_and(|current| current <= bytes) {
+        return Ok(());
+    }
+    let program = std::env::current_exe().map_err(|error| error.to_string())?;
+    // A thread that began under the limit might not get its stack.
+    crate::signals::wait_until_heard();
+    let limit = Rlimit { current: Some(maximum.map_or(bytes, |most| most.min(bytes))), maximum };
+    setrlimit(Resource::As, limit).map_err(|error| error.to_string())?;
+    Err(Command::new(program).args(std::env::args_os().skip(1)).exec().to_string())
+}
+
+/// Says that there is no such limit.
+#[cfg(not(unix))]
+pub(crate) fn limit_address_space(bytes: u64) -> Result<(), String> {
+    Err(format!("this system limits no process to {bytes} bytes"))
+}
