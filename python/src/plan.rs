@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use meshmend::passes::{Emptying, Passes, Said, SayingError};
+use meshmend::passes::{Emptying, PRESETS, Passes, Preset, Said, SayingError};
 use meshmend::{PassKind, Plan};
 use pyo3::prelude::*;
 
 use crate::errors::{self, Done, Problem};
-use crate::words;
+use crate::{repair, words};
 
 /// A plan.
 #[pyclass(frozen, module = "meshmend._native")]
@@ -34,6 +34,16 @@ impl PlanHandle {
         errors::raise(py, Plan::from_toml(text).map(PlanHandle::of).map_err(Problem::Plan))
     }
 
+    /// The plan for a purpose, with what a TOML text says in place of what it says itself.
+    #[staticmethod]
+    fn preset(py: Python<'_>, name: &str, over: Option<&str>) -> PyResult<Self> {
+        let known = PRESETS.iter().map(|preset| preset.name);
+        let preset = Preset::from_name(name).ok_or_else(|| words::unknown("preset", name, known));
+        let preset = errors::raise(py, preset)?;
+        let plan = preset.plan(over, Passes::builtin()).map(PlanHandle::of);
+        errors::raise(py, plan.map_err(Problem::Plan))
+    }
+
     /// The plan with options, as words of the command line.
     fn saying(&self, py: Python<'_>, said: Vec<(String, String)>, allow_empty: bool) -> PyResult<Self> {
         let plan = saying(&self.plan, &said, allow_empty);
@@ -43,6 +53,11 @@ impl PlanHandle {
     fn to_toml(&self, py: Python<'_>) -> PyResult<String> {
         let text = self.plan.to_toml();
         text.map_err(|error| errors::internal(py, &error.to_string(), None))
+    }
+
+    /// How vertices are written whose attributes differ from face to face, if the plan says it.
+    fn seams(&self) -> Option<&'static str> {
+        self.plan.files.seams.and_then(repair::seams).map(|(word, _)| word)
     }
 
     fn passes(&self) -> Vec<&'static str> {

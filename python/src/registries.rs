@@ -1,6 +1,6 @@
 //! What there is by name: kinds, passes and their options, kernels, formats. The Python side and its types are made from it.
 
-use meshmend::passes::{OptionValues, Passes};
+use meshmend::passes::{OptionValues, PRESETS, Passes};
 use meshmend::shapes::NAMED_SHAPES;
 use meshmend::{DefectKind, Format, KernelKind, Kernels, PassKind, Question, Rules};
 use pyo3::exceptions::PyValueError;
@@ -20,6 +20,7 @@ pub(crate) fn registries(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     all.set_item("questions", Question::ALL.map(Question::name))?;
     all.set_item("shapes", NAMED_SHAPES.iter().map(|shape| shape.name).collect::<Vec<_>>())?;
     all.set_item("repair_kernels", KernelKind::ALL.iter().map(|kernel| kernel.name()).collect::<Vec<_>>())?;
+    all.set_item("presets", PRESETS.map(|preset| preset.name))?;
     all.set_item("witnesses", words::WITNESSES.map(|(name, _)| name))?;
     let variants =
         Format::ALL.iter().flat_map(|format| format.encodings().iter().map(|&e| format.variant(e)));

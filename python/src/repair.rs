@@ -9,8 +9,9 @@ use meshmend::files::{
 };
 use meshmend::formats::Shell;
 use meshmend::mesh::Watch;
+use meshmend::passes::WrittenSeams;
 use meshmend::report::json;
-use meshmend::{Criterion, Gate, KernelKind, Plan, Rules, View};
+use meshmend::{Criterion, Gate, KernelKind, Plan, Rules, Seams, View};
 use meshmend_cli::text;
 use pyo3::prelude::*;
 
@@ -28,6 +29,8 @@ use crate::words::{self, WriteWords};
 #[pyo3(from_item_all)]
 pub(crate) struct RepairWords<'py> {
     plan: Option<Bound<'py, PlanHandle>>,
+    /// Whether the plan was given as one, not as a preset alone.
+    is_planned: bool,
     said: Vec<(String, String)>,
     allow_empty: bool,
     kernel: String,
@@ -60,6 +63,11 @@ impl RepairWords<'_> {
     fn target(&self, shell: Option<&Shell>) -> Done<Option<FileTarget>> {
         let Some((path, words)) = &self.output else { return Ok(None) };
         let options = words.options(Some(path))?;
+        let planned = self.plan.as_ref().and_then(|plan| plan.get().plan.files.seams);
+        let options = match planned.and_then(seams) {
+            Some((_, seams)) => options.with_seams(seams),
+            None => options,
+        };
         let options = match shell {
             Some(shell) => options.with_shell(shell.clone()),
             None => options,
@@ -70,13 +78,16 @@ impl RepairWords<'_> {
 
     fn repair(&self) -> Done<FileRepair> {
         let given = self.plan.as_ref().map(|plan| Plan::clone(&plan.get().plan));
-        let cuts = given.is_some() || self.said.iter().any(|(option, _)| option == "triangulate");
+        let cuts = self.is_planned || self.said.iter().any(|(option, _)| option == "triangulate");
         let mut repair =
             FileRepair::of(plan::saying(&given.unwrap_or_default(), &self.said, self.allow_empty)?);
         repair.cut_polygons = if cuts { CutPolygons::AsPlanned } else { CutPolygons::WhereNeeded };
         repair.kernel = kernel(&self.kernel)?;
-        let criteria = self.fail_on.iter().map(|word| criterion(word)).collect::<Done<Vec<_>>>()?;
+        let planned = repair.plan.files.clone();
+        let words = if self.fail_on.is_empty() { &planned.fail_on } else { &self.fail_on };
+        let criteria = words.iter().map(|word| self.criterion(word)).collect::<Done<Vec<_>>>()?;
         repair.gate = Gate::new(criteria);
+        repair.limit = planned.limit.unwrap_or(repair.limit);
         repair.geometry = self.geometry.options(&repair.gate.defects())?;
         let is_judged = !repair.gate.defects().is_empty() || repair.gate.asks_what_is_left();
         repair.judged = match (self.report, is_judged) {
@@ -91,13 +102,27 @@ impl RepairWords<'_> {
     }
 }
 
-/// What fails a repair.
-fn criterion(word: &str) -> Done<Criterion> {
-    match Criterion::of(Rules::builtin(), word) {
-        Ok(Criterion::Loss(_)) => Err(Problem::Value(format!(
-            "fail_on can't be `{word}`: `write` tells what is lost, or is `strict`"
-        ))),
-        criterion => criterion.map_err(|error| Problem::Value(error.to_string())),
+impl RepairWords<'_> {
+    /// What fails a repair. What is lost is known where the output is.
+    fn criterion(&self, word: &str) -> Done<Criterion> {
+        match Criterion::of(Rules::builtin(), word) {
+            Ok(Criterion::Loss(_)) if self.output.is_none() && !self.fail_on.is_empty() => {
+                Err(Problem::Value(format!(
+                    "fail_on can't be `{word}` without `output`: `write` tells what is lost, or is `strict`"
+                )))
+            }
+            criterion => criterion.map_err(|error| Problem::Value(error.to_string())),
+        }
+    }
+}
+
+/// How a plan says that vertices are written whose attributes differ from face to face.
+pub(crate) fn seams(planned: WrittenSeams) -> Option<(&'static str, Seams)> {
+    match planned {
+        WrittenSeams::Split => Some(("split", Seams::Split)),
+        WrittenSeams::Corners => Some(("corners", Seams::Corners)),
+        WrittenSeams::Fail => Some(("fail", Seams::Fail)),
+        _ => None,
     }
 }
 

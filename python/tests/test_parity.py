@@ -6,6 +6,7 @@ import warnings
 import meshmend as mm
 import pytest
 from conftest import EXAMPLES, corpus
+from meshmend import _native
 
 FILES = sorted(path for path in EXAMPLES.iterdir() if path.suffix in {".obj", ".off", ".ply", ".stl", ".glb"})
 
@@ -80,6 +81,22 @@ def test_with_maps_and_questions_and_longer_lists_too(command, path):
     plan = EXAMPLES / "plan.toml"
     ran = command("repair", "--json", "--dry-run", "--plan", plan, "--weld", "exact", path)
     assert mm.repair(path, plan=plan, weld="exact").to_json().encode() + b"\n" == ran.stdout
+
+
+@pytest.mark.parametrize("preset", _native.registries()["presets"])
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_a_preset_is_that_of_the_command(command, path, preset, tmp_path):
+    ran = command("repair", "--json", "--dry-run", "--allow-empty", "--limit", "10", "--preset", preset, path)
+    try:
+        document = mm.repair(path, preset=preset, allow_empty=True).to_json()
+    except (mm.MeshmendError, ValueError) as error:
+        assert mentions(ran.stderr.decode(), str(error))
+        return
+    assert document.encode() + b"\n" == ran.stdout, first_difference(document, ran.stdout)
+    plan = tmp_path / "over.toml"
+    plan.write_text("[weld]\ndistance = 'exact'\n")
+    ran = command("repair", "--json", "--dry-run", "--allow-empty", "--limit", "10", "--preset", preset, "--plan", plan, path)
+    assert mm.repair(path, preset=preset, plan=plan, allow_empty=True).to_json().encode() + b"\n" == ran.stdout
 
 
 def assert_same_output(command, path, folder, suffix):

@@ -120,6 +120,14 @@ def test_a_plan_and_keywords_go_together(tmp_path, book):
         mm.repair(book, plan=tmp_path / "none.toml")
 
 
+def test_a_preset_is_a_plan(book):
+    assert mm.Plan.preset("print", "[weld]\ndistance = 'exact'") != mm.Plan.preset("print") != mm.Plan()
+    with pytest.raises(ValueError, match="preset can't be `prints`; it can be asset, print"):
+        mm.Plan.preset("prints")
+    with pytest.raises(ValueError, match="a whole plan leaves nothing of a preset"):
+        mm.repair(book, plan=mm.Plan(), preset="print")
+
+
 def test_a_bad_line_of_a_plan_is_named():
     with pytest.raises(mm.PlanError, match="distnace") as caught:
         mm.Plan.from_toml("[weld]\ndistnace = 'exact'\n")

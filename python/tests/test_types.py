@@ -32,6 +32,7 @@ def words_of(alias):
 @pytest.mark.parametrize("alias, registry", [
     ("_Kind", "kinds"), ("_PassName", "passes"), ("_Kernel", "kernels"), ("_RepairKernel", "repair_kernels"),
     ("_Question", "questions"), ("_Witness", "witnesses"), ("_Variant", "variants"), ("_Format", "formats"), ("_Shape", "shapes"),
+    ("_Preset", "presets"),
 ])
 def test_each_list_of_words_is_that_of_its_registry(alias, registry):
     assert words_of(alias) == REGISTRIES[registry]

@@ -40,6 +40,7 @@ _Shape: TypeAlias = Literal["tetrahedron", "cube", "octahedron", "dodecahedron",
     "dunce-hat", "wrapped-disc", "three-triangles-on-an-edge", "two-tetrahedra-on-a-vertex", "two-tetrahedra-on-an-edge",
     "two-boxes-on-an-edge", "book", "nested-pages", "bow-tie", "umbrellas", "pinched-torus", "sphere-with-membrane",
     "three-hemispheres", "foam", "fan", "strip"]
+_Preset: TypeAlias = Literal["asset", "print", "scan", "teaching"]
 _Geometry: TypeAlias = bool | str | Sequence[_Question]
 
 class _Progress(Protocol):
@@ -86,6 +87,7 @@ class _CheckOptions(_CallOptions, total=False):
 
 class _RepairOptions(_Policies, _CallOptions, total=False):
     plan: Plan | str | PathLike[str] | None
+    preset: _Preset | None
     report: bool
     kernel: _RepairKernel
     allow_empty: bool
@@ -100,6 +102,7 @@ class _RepairOptions(_Policies, _CallOptions, total=False):
 
 class _MendOptions(_Policies, _CallOptions, total=False):
     plan: Plan | str | PathLike[str] | None
+    preset: _Preset | None
     kernel: _RepairKernel
     allow_empty: bool
 
@@ -446,6 +449,8 @@ class Plan:
     def from_toml(cls, text: str) -> Plan: ...
     @classmethod
     def read(cls, path: str | PathLike[str]) -> Plan: ...
+    @classmethod
+    def preset(cls, name: _Preset, over: str | None = None) -> Plan: ...
     @property
     def passes(self) -> tuple[_PassName, ...]: ...
     def to_toml(self) -> str: ...
@@ -531,6 +536,7 @@ def repair(
     mesh: object,
     *,
     plan: Plan | str | PathLike[str] | None = None,
+    preset: _Preset | None = None,
     report: bool = True,
     kernel: _RepairKernel = "edge-use",
     allow_empty: bool = False,

@@ -31,11 +31,12 @@ class Plan:
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Plan:
         """The plan of a file."""
-        with Path(path).open("rb") as file:
-            text = file.read(_LONGEST + 1)
-        if len(text) > _LONGEST:
-            raise ValueError(f"{os.fspath(path)}: too long for a plan")
-        return cls.from_toml(text.decode("utf-8"))
+        return cls.from_toml(text_of(path))
+
+    @classmethod
+    def preset(cls, name: str, over: str | None = None) -> Plan:
+        """The plan for a purpose, as `--preset`; a TOML text says what differs."""
+        return cls._of(_native.PlanHandle.preset(name, over))
 
     @property
     def passes(self) -> tuple[str, ...]:
@@ -60,6 +61,15 @@ class Plan:
 
     def __reduce__(self) -> Any:
         return Plan.from_toml, (self.to_toml(),)
+
+
+def text_of(path: str | os.PathLike[str]) -> str:
+    """The text of a plan file."""
+    with Path(path).open("rb") as file:
+        text = file.read(_LONGEST + 1)
+    if len(text) > _LONGEST:
+        raise ValueError(f"{os.fspath(path)}: too long for a plan")
+    return text.decode("utf-8")
 
 
 def said(called: str, policies: Mapping[str, Any]) -> list[tuple[str, str]]:

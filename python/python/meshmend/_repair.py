@@ -19,7 +19,7 @@ from ._errors import DefectError
 from ._files import read_document, is_file, warned, write_words
 from ._mesh import Mesh, mesh_as_read
 from ._notes import Loss
-from ._plan import Plan, said
+from ._plan import Plan, said, text_of
 from ._progress import watched
 from ._relation import Relation, by_corners
 
@@ -50,7 +50,7 @@ class Repair:
     Of a file of several parts, each is a repair of its own in `parts`, and the whole file is `document`.
     """
 
-    __slots__ = ("_cache", "_handle", "_number", "_source")
+    __slots__ = ("_cache", "_handle", "_number", "_seams", "_source")
 
     def __init__(self) -> None:
         raise TypeError("a repair comes from meshmend.repair")
@@ -61,6 +61,7 @@ class Repair:
         repair._handle = handle
         repair._source = source
         repair._number = number
+        repair._seams = None
         repair._cache = {}
         return repair
 
@@ -150,7 +151,8 @@ class Repair:
         from ._files import write
 
         document = self.document
-        return write(self.mesh if document is None else document, target, **options)
+        seams = {} if self._seams is None else {"seams": self._seams}
+        return write(self.mesh if document is None else document, target, **{**seams, **options})
 
     def __str__(self) -> str:
         """What the command line prints."""
@@ -212,6 +214,7 @@ def repair(
     mesh: object,
     *,
     plan: Plan | str | os.PathLike[str] | None = None,
+    preset: str | None = None,
     report: bool = True,
     kernel: str = "edge-use",
     allow_empty: bool = False,
@@ -233,9 +236,10 @@ def repair(
     polygons, digits or shared vertices, is known to the passes, and the report says what is lost.
     What `fail_on` names, such as kinds of defect, `removed`, `changed` or `left`, is in `Repair.failing`; with `strict` it raises.
     """
-    given = plan if plan is None or isinstance(plan, Plan) else Plan.read(plan)
+    given = _planned(plan, preset)
     words = {
         "plan": None if given is None else given._handle,
+        "is_planned": plan is not None,
         "said": said("repair", policies),
         "allow_empty": allow_empty,
         "kernel": kernel,
@@ -250,6 +254,7 @@ def repair(
         source = _source(mesh, is_whole=bool(parts) or by is not None, how=how)
         work = _native.repair_document if isinstance(source, Document) else _native.repair_mesh
         mended = Repair._of(work(source._handle, words, how), source)
+        mended._seams = None if given is None else given._handle.seams()
     if strict and mended.failing:
         told = ", ".join(f"{word}: {count}" for word, count in mended.failing.items())
         raise DefectError(f"the repair has {told}", None if mended._is_of_parts() else mended.after)
@@ -265,6 +270,15 @@ def mend(vertices: ArrayLike, faces: Any, **policies: Any) -> tuple[NDArray[Any]
         corners, offsets = (np.asarray(array).dtype for array in faces)
         return points, (_ids_of_type(mended.mesh.corners, corners), _ids_of_type(mended.mesh.offsets, offsets))
     return points, _ids_of_type(mended.mesh.faces, _row_type(faces))
+
+
+def _planned(plan: Plan | str | os.PathLike[str] | None, preset: str | None) -> Plan | None:
+    """The plan of a file or a preset, or of a file over a preset."""
+    if preset is None:
+        return plan if plan is None or isinstance(plan, Plan) else Plan.read(plan)
+    if isinstance(plan, Plan):
+        raise ValueError("a whole plan leaves nothing of a preset: give the path of a plan file, or keywords")
+    return Plan.preset(preset, None if plan is None else text_of(plan))
 
 
 def _source(mesh: object, is_whole: bool, how: Any) -> Mesh | Document:
