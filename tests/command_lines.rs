@@ -21,6 +21,7 @@ fn good(argument: &Arg) -> (String, bool) {
         ("report", _) => ("new.json", true),
         (_, "OUT") => ("new.ply", true),
         (_, "PICTURE" | "OUT.svg") => ("new.svg", true),
+        ("maps", _) => ("maps.npz", true),
         (_, "OUT.mtx") => ("new.mtx", true),
         (_, "IN" | "FILE") => ("broken.obj", true),
         ("from", "V") => ("v0", false),

@@ -28,6 +28,7 @@
 
 mod binary;
 mod document;
+mod element_lines;
 mod error;
 mod formats;
 mod input;
@@ -47,6 +48,7 @@ pub use document::{
     Document, Material, ObjectKind, Part, PartSource, PartStatus, Picture, Placement, Placing,
     PreparedDocument, TooMuchPlaced,
 };
+pub use element_lines::ElementLines;
 pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 pub use formats::encoding::Encoding;
 pub use formats::facts::TextureOrigin;

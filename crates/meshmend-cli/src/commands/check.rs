@@ -1,11 +1,12 @@
 //! `meshmend check`: what a mesh is, and what is wrong with it and where.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use meshmend::files::{FaceNames, PartChoice};
-use meshmend::formats::{Document, Part};
-use meshmend::report::{CheckDocument, Listing, PartsDocument, json};
+use meshmend::formats::{Document, ElementLines, Part};
+use meshmend::report::{CheckDocument, Listing, PartsDocument, Sarif, json, placing_elements};
 use meshmend::topology::Witness;
 use meshmend::{CheckOptions, CheckReport, DefectKind, View, check, check_by_name};
 
@@ -17,7 +18,7 @@ use crate::gate_words::{Asks, gate_of};
 use crate::geometry_words::GeometryWords;
 use crate::parts::{PartWords, PlacingWord};
 use crate::render;
-use crate::streams::{InputWords, as_one_mesh, name};
+use crate::streams::{InputWords, as_one_mesh, is_stream, name};
 use crate::words::{self, Welding};
 
 /// Tell what meshes are, and what is wrong with them and where
@@ -52,6 +53,9 @@ pub(crate) struct Check {
     /// Betti numbers
     #[arg(long, conflicts_with = "json")]
     table: bool,
+    /// Print one SARIF document on all files, with a result for each item that is listed
+    #[arg(long, conflicts_with_all = ["json", "table"])]
+    sarif: bool,
     /// How many items each list shows at most, also in JSON; counts are always whole
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
@@ -89,7 +93,7 @@ impl Check {
         let geometry = self.geometry.options(&fail_on, self.limit)?;
         let options = options.with_geometry(geometry);
         let asked = Asked { options, fail_on };
-        let (mut status, mut rows) = (Status::Done, Vec::new());
+        let (mut status, mut rows, mut sarif) = (Status::Done, Vec::new(), Sarif::default());
         for (place, file) in self.files.iter().enumerate() {
             if console.is_closed() {
                 break;
@@ -101,6 +105,10 @@ impl Check {
                         rows.extend(checked.into_reports());
                         continue;
                     }
+                    if self.sarif {
+                        checked.add_to(&mut sarif, file);
+                        continue;
+                    }
                     let gap = if place > 0 && !self.json { "\n" } else { "" };
                     let text = self.text(&checked, console)?;
                     console.write(&format!("{gap}{text}"))?;
@@ -108,9 +116,13 @@ impl Check {
                 Err(failure) if failure.status == Status::Usage => return Err(failure),
                 Err(failure) => {
                     console.complain(&failure);
+                    sarif.add_failure(&failure.message);
                     status = status.and(failure.status);
                 }
             }
+        }
+        if self.sarif {
+            console.write(&json_line(&sarif.document(program.rules))?)?;
         }
         if !rows.is_empty() {
             console.write(&render::paper_tables(&rows, console.style()))?;
@@ -221,6 +233,26 @@ impl CheckedFile {
         let title = || format!("{}, {}", self.name, self.document.parts[part].title());
         let name = if self.document.is_whole() { self.name.clone() } else { title() };
         CheckDocument { file: Some(name), format: Some(variant), notes: notes.clone(), ..report.clone() }
+    }
+
+    /// Adds its reports to a document on several files. The lines of listed elements are looked for in the file, where it is one.
+    fn add_to(&self, sarif: &mut Sarif, path: &Path) {
+        let text = if is_stream(path) { Vec::new() } else { fs::read(path).unwrap_or_default() };
+        for (number, report) in &self.reports {
+            let Some(report) = report else { continue };
+            let part = &self.document.parts[*number];
+            let is_whole = self.document.is_whole();
+            let lines = if is_whole {
+                let (vertices, faces) = placing_elements(report);
+                let counts = part.mesh.counts();
+                let counts = (counts.vertices, counts.faces);
+                ElementLines::find(&text, self.document.format, counts, (&vertices, &faces))
+            } else {
+                ElementLines::default()
+            };
+            let title = (!is_whole).then(|| part.title());
+            sarif.add(&self.name, title.as_deref(), report, &lines);
+        }
     }
 
     fn into_reports(self) -> Vec<CheckDocument> {

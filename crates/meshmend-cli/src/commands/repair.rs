@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use meshmend::files::{FileRepair, FileTarget, Judged, RepairedFile};
-use meshmend::formats::{Document, replace_file};
+use meshmend::formats::{Document, ElementLines, replace_file};
 use meshmend::maps::MapsFile;
+use meshmend::report::{RepairDocument, Sarif};
 use meshmend::{Plan, Rules};
 
+use super::check::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
@@ -42,6 +44,9 @@ pub(crate) struct Repair {
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
+    /// Print what is left as a SARIF document, with a result for each item that is listed
+    #[arg(long, conflicts_with = "json")]
+    sarif: bool,
     /// Print one line, and do not look at the mesh before
     #[arg(short, long, visible_alias = "no-report")]
     quiet: bool,
@@ -73,7 +78,7 @@ impl Repair {
         }
         self.write(&repaired, is_withheld, console)?;
         drop(progress);
-        console.write(&self.text(&repaired, console.style())?)?;
+        console.write(&self.text(&repaired, repair.rules, console.style())?)?;
         let is_written = !is_withheld && !self.dry_run;
         Ok(gate_words::judged(&name(&self.input), repaired.failing(), is_written, console))
     }
@@ -168,7 +173,27 @@ impl Repair {
         }
     }
 
-    fn text(&self, repaired: &RepairedFile, style: Style) -> Result<String, Failure> {
+    /// What is left, at its place in the output.
+    fn sarif(&self, repaired: &RepairedFile) -> Sarif {
+        let file = self.output.as_deref().map_or_else(|| name(&self.input), output_name);
+        let (mut sarif, unknown) = (Sarif::default(), ElementLines::default());
+        let mut add = |part: Option<String>, report: &RepairDocument| {
+            report.after.iter().for_each(|after| sarif.add(&file, part.as_deref(), after, &unknown));
+        };
+        match repaired {
+            RepairedFile::Mesh(mesh) => add(None, &mesh.report),
+            RepairedFile::Parts(parts) => parts.parts.iter().for_each(|(number, outcome)| {
+                let title = parts.document.parts[*number].title();
+                outcome.report().into_iter().for_each(|report| add(Some(title.clone()), report));
+            }),
+        }
+        sarif
+    }
+
+    fn text(&self, repaired: &RepairedFile, rules: Rules, style: Style) -> Result<String, Failure> {
+        if self.sarif {
+            return json_line(&self.sarif(repaired).document(rules));
+        }
         if self.json {
             return report_line(repaired);
         }

@@ -28,6 +28,7 @@ mod parts_document;
 mod pass_document;
 mod repair_document;
 mod row;
+mod sarif;
 #[cfg(feature = "flatten")]
 mod unfold_document;
 
@@ -56,6 +57,7 @@ pub use repair_document::{
     RemovedFaces, RepairDocument,
 };
 pub use row::{LONGEST_ROW_MESSAGE, Row, RowFigures, RowLoss, RowStatus};
+pub use sarif::{Sarif, placing_elements};
 use serde::Serialize;
 #[cfg(feature = "flatten")]
 pub use unfold_document::UnfoldDocument;
