@@ -59,6 +59,7 @@ impl Worker {
         let reports = if self.reports { Reports::Whole } else { Reports::LeftOut };
         let repair = self.words.repair(rules)?;
         let to = self.to.planned(&repair.plan);
+        let to = to.planned(&repair.plan);
         let work = Work { repair, to, gate: self.words.gate, reports };
         let Some(input) = console.take_input() else {
             return Err(Failure::usage("standard input can be read only once"));
