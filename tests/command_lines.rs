@@ -29,6 +29,10 @@ fn good(argument: &Arg) -> (String, bool) {
         (_, "FIELDS") => ("2", false),
         (_, "N" | "V" | "G" | "M" | "B" | "K") => ("3", false),
         (_, "SIZE") => ("4GiB", false),
+        (_, "TIME") => ("60s", false),
+        (_, "STATUS") => ("crashed", false),
+        (_, "DIR" | "S") => ("new", true),
+        ("ledger", _) => ("new.jsonl", true),
         (_, "TIMES") => ("1", false),
         (_, "DEGREES") => ("-30", false),
         (_, "WxH") => ("320x240", false),
@@ -79,6 +83,7 @@ fn least(command: &Command, but: &Arg) -> Vec<String> {
     }
     match (command.get_name(), but.get_id().as_str()) {
         ("matrix", "walks") => words.extend(["--from", "v0"].map(str::to_owned)),
+        ("batch", "retry") => words.push("--resume".to_owned()),
         ("matrix", "from") => words.extend(["--walks", "3"].map(str::to_owned)),
         ("pointers", "at" | "all" | "permutations") => {}
         ("pointers", _) => words.extend(["--at", "v0"].map(str::to_owned)),

@@ -126,6 +126,11 @@ impl<'a> Console<'a> {
         self.errors.write(&self.errors.spelt(text)).ok();
     }
 
+    /// Tells something that nobody asked for. There is nowhere to tell if that fails.
+    pub(crate) fn note(&mut self, text: &str) {
+        self.errors.write(&format!("meshmend: {}\n", printable(text))).ok();
+    }
+
     /// Tells why something was not done. There is nowhere to tell if that fails.
     pub(crate) fn complain(&mut self, failure: &Failure) {
         let lines: Vec<String> = failure.message.trim_end().lines().map(printable).collect();

@@ -4,6 +4,7 @@
 //! A command is one file in `commands` with its options and its work; `render` alone makes text for people; the
 //! rest is what commands share.
 
+mod batch;
 mod commands;
 mod console;
 mod failure;
@@ -140,7 +141,7 @@ impl Program {
 
     fn description(&self) -> clap::Command {
         let with_options = |repair| policies::with_options(repair, self.passes);
-        ["repair", "worker"]
+        ["repair", "worker", "batch"]
             .into_iter()
             .fold(CommandLine::command(), |line, command| line.mut_subcommand(command, with_options))
     }

@@ -100,6 +100,11 @@ impl OutputWords {
         self.in_format(Path::new(STREAM), self.format(name, None)?)
     }
 
+    /// The format that was named.
+    pub(crate) fn format_named(self) -> Option<Format> {
+        self.format
+    }
+
     /// Whether it can be known only from the input in which format a file is written.
     fn waits_for_input(self, path: &Path) -> bool {
         is_stream(path) && self.format.is_none()

@@ -300,7 +300,7 @@ impl Asked {
 }
 
 /// A document as one line.
-pub(super) fn json_line(document: &impl serde::Serialize) -> Result<String, Failure> {
+pub(crate) fn json_line(document: &impl serde::Serialize) -> Result<String, Failure> {
     let text = json(document).map_err(|error| Failure::unwritable("report", error))?;
     Ok(text + "\n")
 }

@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 mod advise;
+mod batch;
 mod check;
 #[cfg(feature = "completions")]
 mod completions;
@@ -25,7 +26,7 @@ mod render;
 mod repair;
 mod worker;
 
-pub(crate) use check::CheckedFile;
+pub(crate) use check::{CheckedFile, json_line};
 
 use std::path::PathBuf;
 use std::slice;
@@ -43,6 +44,7 @@ pub(crate) enum Command {
     Check(check::Check),
     Repair(Box<repair::Repair>),
     Worker(Box<worker::Worker>),
+    Batch(Box<batch::Batch>),
     Convert(convert::Convert),
     Advise(advise::Advise),
     Loops(loops::Loops),
@@ -94,7 +96,11 @@ impl Command {
             #[cfg(not(feature = "flatten"))]
             Command::Flatten(_) => &[],
             Command::Explain(command) => command.file.as_slice(),
-            Command::Preset(_) | Command::Worker(_) | Command::Make(_) | Command::Completions(_) => &[],
+            Command::Preset(_)
+            | Command::Worker(_)
+            | Command::Batch(_)
+            | Command::Make(_)
+            | Command::Completions(_) => &[],
         }
     }
 
@@ -104,6 +110,7 @@ impl Command {
         let words = match self {
             Command::Repair(command) => &mut command.words,
             Command::Worker(command) => &mut command.words,
+            Command::Batch(command) => return command.take(matches, passes),
             _ => return,
         };
         words.policies.take(matches, passes);
@@ -117,6 +124,7 @@ impl Command {
             Command::Convert(command) => command.run(rules, console),
             Command::Advise(command) => command.run(console),
             Command::Worker(command) => command.run(rules, console),
+            Command::Batch(command) => command.run(rules, console),
             Command::Loops(command) => command.run(console),
             Command::Cut(command) => command.run(console),
             #[cfg(feature = "render")]
