@@ -6,6 +6,7 @@
 
 mod arrays;
 mod check;
+mod command;
 mod defects;
 mod document;
 mod errors;
@@ -46,6 +47,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(repair::repair_document, module)?)?;
     module.add_function(wrap_pyfunction!(files::read, module)?)?;
     module.add_function(wrap_pyfunction!(files::write, module)?)?;
+    module.add_function(wrap_pyfunction!(command::command_line, module)?)?;
     module.add_function(wrap_pyfunction!(check::check_mesh, module)?)?;
     module.add_function(wrap_pyfunction!(check::parts_json, module)?)?;
     module.add_function(wrap_pyfunction!(picture::picture, module)?)?;
