@@ -102,3 +102,12 @@ def many_files_on_this_machine(paths: Sequence[Path]) -> list[dict[str, Any]]:
 def in_a_notebook(folder: Path) -> mm.Check:
     """14: the last line shows a table and a picture with the defects marked."""
     return mm.check(folder / "bunny.ply")
+
+
+def a_lake_of_files(plan: Path) -> dict[str, int]:
+    """15: one row a file, outputs beside, resumable."""
+    from meshmend import fleet
+
+    return fleet.mend(
+        "s3://lake/raw/**/*.obj", to="s3://lake/mended/", table="s3://lake/rows/", plan=plan, timeout=120, memory="4GiB"
+    )

@@ -188,7 +188,7 @@ def test_every_option_of_the_command_is_a_keyword(command):
     shown = command("repair", "--help").stdout.decode()
     told = {word.replace("-", "_") for word in re.findall(r"--([a-z][a-z-]*[a-z])", shown)}
     # What is about files and reports is an argument of `read`, `write` and `to_json`.
-    files = {"dry_run", "report", "json", "quiet", "no_report", "format", "max_bytes", "max_vertices", "max_faces",
+    files = {"dry_run", "report", "json", "sarif", "quiet", "no_report", "format", "max_bytes", "max_vertices", "max_faces",
              "part", "from", "to", "encoding", "seams", "manifold_extension", "keep_double", "companions", "report_maps", "maps", "limit",
              "help", "threads", "color", "progress", "no_progress", "version", "verbose"}
     policies = told - files - others

@@ -23,7 +23,13 @@ pub(crate) fn limit_address_space(bytes: u64) -> Result<(), String> {
     crate::signals::wait_until_heard();
     let limit = Rlimit { current: Some(maximum.map_or(bytes, |most| most.min(bytes))), maximum };
     setrlimit(Resource::As, limit).map_err(|error| error.to_string())?;
-    Err(Command::new(program).args(std::env::args_os().skip(1)).exec().to_string())
+    let mut words = std::env::args_os();
+    let mut again = Command::new(program);
+    // By its own name: an interpreter knows by that to which environment it belongs.
+    if let Some(name) = words.next() {
+        again.arg0(name);
+    }
+    Err(again.args(words).exec().to_string())
 }
 
 /// Says that there is no such limit.

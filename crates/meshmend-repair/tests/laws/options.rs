@@ -63,6 +63,6 @@ fn all_choices_are_found() {
         assert!((0..choices.len()).all(is_new), "{kind} has a choice twice");
     }
     let count = |kind| all.iter().filter(|pass| pass.kind() == kind).count();
-    assert_eq!(count(PassKind::Weld), 2 * (2 + 4 * AMOUNTS.len()));
+    assert_eq!(count(PassKind::Weld), 2 * (3 + 4 * AMOUNTS.len()));
     assert_eq!(count(PassKind::Orient), 3 * 3 * 3 * 2);
 }

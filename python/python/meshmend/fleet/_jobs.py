@@ -38,6 +38,8 @@ def mend(
     processor. Where Daft runs on Ray, they are on its nodes.
     """
     worker = Worker(plan=plan, options=options, timeout=timeout, memory=memory, reports=reports, command=command)
+    # That of this process, where it has one; those on other nodes have none.
+    io_config = io_config or daft.context.get_context().daft_planning_config.default_io_config
     sources, to = [source] if isinstance(source, str) else source, to and plain(to).rstrip("/") + "/"
     listed = {file.path: file for one in sources for file in listing(one, io_config)}
     is_apart = to and to not in {file.base for file in listed.values()}

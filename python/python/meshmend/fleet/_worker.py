@@ -18,7 +18,7 @@ Row = dict[str, Any]
 Answer = tuple[Row, bytes | None]
 COMMAND = (sys.executable, "-m", "meshmend.fleet._command")  # As `meshmend-worker`, and `meshmend worker`.
 RETRIED = frozenset({"timeout", "memory", "crashed"})
-FILES_OF_A_CHILD, FILES_BETWEEN_LOOKS, SECONDS_TO_START = 10_000, 100, 60.0
+FILES_OF_A_CHILD, FILES_BETWEEN_LOOKS, SECONDS_TO_START, STARTS = 10_000, 100, 60.0, 10
 
 
 class WorkerError(RuntimeError):
@@ -64,7 +64,7 @@ class Worker:
         """The row of a file of this name on which nothing was done: it has the digest of the policy."""
         kind = (os.path.splitext(name)[1], os.path.splitext(output)[1] if isinstance(output, str) else output, format)
         job = _to({"id": 0, "name": name, "input": {"bytes": 0}}, output, format)
-        for _ in range(3):
+        for _ in range(STARTS):
             child = self._kept()
             if kind not in child.templates:  # No bytes are no file of any format: nothing is done.
                 child.templates[kind] = child.ask(job, b"", SECONDS_TO_START)
