@@ -17,7 +17,7 @@ fn every_status_comes_with_its_reason() {
 
     meshmend(&["check", &broken]).fails(1, "");
     meshmend(&["mend"]).fails(2, "unrecognized subcommand 'mend'");
-    repair(&["--weld", "near"]).fails(2, "expected none, exact, single, a length");
+    repair(&["--weld", "near"]).fails(2, "expected none, exact, single, auto, a length");
     repair(&["--clean", "off", "--non-finite", "fail"])
         .fails(2, "--non-finite has no meaning with --clean off");
     repair(&["--plan", &no_plan]).fails(2, "unknown field `distnace`");

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use meshmend::passes::{Advice, Tolerance};
-use meshmend::report::AdviceDocument;
+use meshmend::report::{AdviceDocument, short};
 
 use super::step_plot::escaped;
 use super::{Style, paragraph};
@@ -19,15 +19,19 @@ pub(crate) fn advised(advice: &Advice) -> String {
     match advice.tolerance {
         Some(tolerance) => {
             let Tolerance { distance, relative, closes, .. } = tolerance;
-            let percent = relative * 100.0;
+            let [distance, percent] = [distance, three_digits(relative * 100.0)].map(short);
             let open = advice.open_edges;
             format!(
-                "weld within {distance} ({percent:.2e} % of the diagonal): closes {closes} of {open} boundary edges"
+                "weld within {distance} ({percent} % of the diagonal): closes {closes} of {open} boundary edges"
             )
         }
         None if advice.open_edges == 0 => "no edge is open: weld exactly".to_owned(),
         None => "no tolerance stands out: weld exactly".to_owned(),
     }
+}
+
+fn three_digits(number: f64) -> f64 {
+    format!("{number:.2e}").parse().unwrap_or(number)
 }
 
 /// The advice on a file.

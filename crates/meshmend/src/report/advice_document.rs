@@ -21,10 +21,17 @@ pub struct AdviceDocument {
     pub advice: Advice,
 }
 
+/// A number as people write it: `0.0021`, `9.3e-17`.
+pub fn short(number: f64) -> String {
+    const LONGEST: usize = 8;
+    let plain = number.to_string();
+    if plain.len() > LONGEST { format!("{number:e}") } else { plain }
+}
+
 impl AdviceDocument {
     /// The document of the advice on a file.
     pub fn new(file: String, format: &'static str, advice: Advice) -> Self {
-        let option = advice.tolerance.map(|tolerance| format!("boundary:{}", tolerance.distance));
+        let option = advice.tolerance.map(|tolerance| format!("boundary:{}", short(tolerance.distance)));
         AdviceDocument { schema: SCHEMA, file, format, option, advice }
     }
 }

@@ -32,7 +32,7 @@ mod sarif;
 #[cfg(feature = "flatten")]
 mod unfold_document;
 
-pub use advice_document::AdviceDocument;
+pub use advice_document::{AdviceDocument, short};
 pub use batch_document::BatchDocument;
 pub use check_document::{CheckDocument, DefectGroup};
 pub use geometry_document::{
