@@ -1,8 +1,8 @@
 //! What the classes of the Python package `meshmend` are made of.
 //!
 //! The Python side (`python/meshmend`) has the classes that people see, the words of their arguments and how arrays come in; this
-//! crate has the work. A call copies what it is given, works off the interpreter's lock ([`watched`]) in threads of its own
-//! ([`pool`]), and gives whole arrays back. Nothing here borrows the memory of an array longer than it takes to copy it.
+//! crate has the work. A call copies what it is given, works off the interpreter's lock (`watched`) in threads of its own
+//! (`pool`), and gives whole arrays back. Nothing here borrows the memory of an array longer than it takes to copy it.
 
 mod arrays;
 mod check;

@@ -214,7 +214,7 @@ impl Session {
     /// # Errors
     /// When the kernel can't hold the mesh.
     ///
-    /// *Cost*: that of [`topology_with`](meshmend_topology::topology_with), or constant if it is known.
+    /// *Cost*: that of [`topology_watched`](meshmend_topology::topology_watched), or constant if it is known.
     pub fn topology(&mut self) -> Result<&TopologyReport, PassError> {
         let known = match self.topology.take() {
             Some(known) => known,
