@@ -22,6 +22,7 @@ fn good(argument: &Arg) -> (String, bool) {
         (_, "OUT") => ("new.ply", true),
         (_, "PICTURE" | "OUT.svg") => ("new.svg", true),
         ("maps", _) => ("maps.npz", true),
+        (_, "PROCESS") => ("1", false),
         (_, "OUT.mtx") => ("new.mtx", true),
         (_, "IN" | "FILE") => ("broken.obj", true),
         ("from", "V") => ("v0", false),

@@ -44,6 +44,15 @@ impl Progress {
         Progress { bar, shown: None }
     }
 
+    /// The same where each step is a file: how many are done in a second, and how long it will take, are shown too.
+    pub(crate) fn of_files(self) -> Self {
+        let template = "{spinner} {bar:24} {pos}/{len} files, {per_sec}, {eta} left {wide_msg}";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            self.bar.set_style(style);
+        }
+        self
+    }
+
     /// Begins the next step.
     pub(crate) fn step(&self, name: &str) {
         self.bar.set_message(printable(name));

@@ -11,6 +11,19 @@ pub fn end_cleanly() {
     unix::wait_in_a_thread();
 }
 
+/// Has a command hear the signals that ask the program to end, with their numbers, before they end it. One that it takes over, by
+/// `true`, does not.
+#[cfg(unix)]
+pub(crate) fn hear_first(takes_over: impl Fn(i32) -> bool + Send + 'static) {
+    unix::hear_first(Box::new(takes_over));
+}
+
+/// Ends the process as a signal does that a command took over.
+#[cfg(unix)]
+pub(crate) fn end_by(signal: i32) -> ! {
+    unix::end_by(signal)
+}
+
 /// Returns when the thread that waits for signals does so, if there is one.
 #[cfg(unix)]
 pub(crate) fn wait_until_heard() {
@@ -21,8 +34,8 @@ pub(crate) fn wait_until_heard() {
 mod unix {
     use std::fs;
     use std::process;
-    use std::sync::OnceLock;
     use std::sync::atomic::{AtomicBool, Ordering};
+    use std::sync::{Mutex, OnceLock, PoisonError};
     use std::thread;
 
     use meshmend::formats::abandon_temporary_files;
@@ -35,6 +48,14 @@ mod unix {
 
     /// What a shell adds to the number of a signal in the status of what it ended.
     const ENDED_BY_A_SIGNAL: i32 = 128;
+
+    /// A command that hears signals first.
+    type Hearer = Box<dyn Fn(i32) -> bool + Send>;
+    static HEARER: Mutex<Option<Hearer>> = Mutex::new(None);
+
+    pub(super) fn hear_first(hearer: Hearer) {
+        *HEARER.lock().unwrap_or_else(PoisonError::into_inner) = Some(hearer);
+    }
 
     /// Whether there is a thread that waits for signals.
     static HAS_THREAD: AtomicBool = AtomicBool::new(false);
@@ -62,12 +83,19 @@ mod unix {
             return;
         };
         for signal in signals.forever() {
-            abandon_temporary_files(|| {
-                emulate_default_handler(signal).ok();
-                // The first process of a container is not ended by a signal of its own.
-                process::exit(ENDED_BY_A_SIGNAL + signal)
-            })
+            let hearer = HEARER.lock().unwrap_or_else(PoisonError::into_inner);
+            if !hearer.as_ref().is_some_and(|takes_over| takes_over(signal)) {
+                end_by(signal);
+            }
         }
+    }
+
+    pub(super) fn end_by(signal: i32) -> ! {
+        abandon_temporary_files(|| {
+            emulate_default_handler(signal).ok();
+            // The first process of a container is not ended by a signal of its own.
+            process::exit(ENDED_BY_A_SIGNAL + signal)
+        })
     }
 
     /// The signals that the process was started to ignore, as bits from that of signal 1 on: all that `nohup` and shells

@@ -209,3 +209,78 @@ fn what_crashes_twice_or_takes_too_long_is_a_row() {
         row(&out)
     );
 }
+
+/// Waits until something holds.
+fn eventually(mut holds: impl FnMut() -> bool, what: &str) {
+    let begin = Instant::now();
+    while !holds() {
+        assert!(begin.elapsed() < Duration::from_secs(20), "{what}");
+        sleep(Duration::from_millis(5));
+    }
+}
+
+fn is_there(process: i32) -> bool {
+    let state = fs::read_to_string(format!("/proc/{process}/stat"));
+    state.is_ok_and(|state| !state.rsplit(')').next().unwrap_or_default().trim_start().starts_with('Z'))
+}
+
+#[test]
+fn one_signal_lets_workers_finish_and_a_second_one_ends_all_at_once() {
+    use std::os::unix::process::ExitStatusExt;
+
+    let folder = Folder::new();
+    let (input, out, whole) = (many(&folder), folder.at("out"), folder.at("whole"));
+    meshmend(&["batch", &input, "-o", &whole]);
+    let ledger = format!("{out}/batch.jsonl");
+    let arguments = [&input, "-o", &out, "--jobs", "1", "--resume"];
+
+    let mut run = start(&arguments);
+    eventually(|| lines(&ledger) > MANY / 8, "nothing is done");
+    let workers = children(run.id());
+    send(run.id() as i32, Signal::INT);
+    let status = run.wait().unwrap();
+    assert_eq!(status.signal(), Some(2), "{status:?}");
+    let done = rows(&ledger);
+    assert!(done.len() < MANY && workers.iter().all(|&worker| !is_there(worker)));
+    assert!(done.values().all(|row| row["status"] != "crashed"), "what was cut off has no row");
+
+    // One that hangs: it has ten seconds, unless the signal comes again.
+    let mut run = start(&arguments);
+    eventually(|| lines(&ledger) > MANY / 4, "nothing is done");
+    let workers = children(run.id());
+    workers.iter().for_each(|&worker| send(worker, Signal::STOP));
+    send(run.id() as i32, Signal::TERM);
+    sleep(Duration::from_millis(200));
+    assert!(run.try_wait().unwrap().is_none(), "it waits for its workers");
+    send(run.id() as i32, Signal::TERM);
+    assert_eq!(run.wait().unwrap().signal(), Some(15));
+    eventually(|| workers.iter().all(|&worker| !is_there(worker)), "a worker is left");
+
+    meshmend(&["batch", &input, "-o", &out, "--resume"]);
+    assert!(rows(&ledger) == rows(&format!("{whole}/batch.jsonl")) && tree(&out) == tree(&whole));
+}
+
+#[test]
+fn no_worker_outlives_its_batch_even_if_it_hangs() {
+    let folder = Folder::new();
+    let (input, out) = (folder.at("large.stl"), folder.at("out"));
+    meshmend(&["make", "torus", "-o", &input, "--resolution", "400"]).succeeds();
+    let mut run = start(&[&input, "-o", &out]);
+    // Not before it has bound itself.
+    let is_at_work = |worker: &i32| {
+        let files = fs::read_dir(format!("/proc/{worker}/fd")).into_iter().flatten().flatten();
+        files.filter_map(|file| fs::read_link(file.path()).ok()).any(|path| path.ends_with("large.stl"))
+    };
+    let mut workers = Vec::new();
+    eventually(
+        || {
+            workers = children(run.id());
+            run.try_wait().unwrap().is_some() || workers.iter().any(is_at_work)
+        },
+        "no worker begins",
+    );
+    workers.iter().for_each(|&worker| send(worker, Signal::STOP));
+    run.kill().unwrap();
+    run.wait().unwrap();
+    eventually(|| workers.iter().all(|&worker| !is_there(worker)), "a worker is left");
+}

@@ -87,13 +87,13 @@ impl Child {
     /// Kills the worker, and what it may have started.
     fn kill(&mut self) {
         #[cfg(unix)]
-        {
-            use rustix::process::{Pid, Signal, kill_process_group};
-            if let Some(group) = i32::try_from(self.process.id()).ok().and_then(Pid::from_raw) {
-                kill_process_group(group, Signal::KILL).ok();
-            }
-        }
+        kill_group(self.process.id());
         self.process.kill().ok();
+    }
+
+    /// The number of the worker's process, which is that of its group.
+    pub(super) fn id(&self) -> u32 {
+        self.process.id()
     }
 
     /// How much memory it has now, where the system tells.
@@ -108,6 +108,16 @@ impl Drop for Child {
         // The end of its input ends it.
         self.jobs = None;
         self.process.wait().ok();
+    }
+}
+
+/// Kills a group of processes.
+#[cfg(unix)]
+pub(super) fn kill_group(group: u32) {
+    use rustix::process::{Pid, Signal, kill_process_group};
+
+    if let Some(group) = i32::try_from(group).ok().and_then(Pid::from_raw) {
+        kill_process_group(group, Signal::KILL).ok();
     }
 }
 

@@ -8,9 +8,11 @@ mod ledger;
 mod listing;
 mod outputs;
 mod queue;
+mod stop;
 mod supervisor;
 
 pub(crate) use self::ledger::Ledger;
 pub(crate) use self::listing::{Listed, listed, of_line};
 pub(crate) use self::outputs::Tree;
+pub(crate) use self::stop::Stop;
 pub(crate) use self::supervisor::{Limits, Supervisor, Task};

@@ -2,7 +2,7 @@
 
 use std::ffi::OsString;
 use std::path::PathBuf;
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -10,6 +10,7 @@ use meshmend::report::{Row, RowStatus};
 
 use super::child::{Child, Ended};
 use super::queue::Queue;
+use super::stop::Stop;
 use crate::failure::Failure;
 use crate::jobs::{Job, host};
 
@@ -43,6 +44,7 @@ pub(crate) struct Supervisor {
     pub(crate) program: PathBuf,
     pub(crate) arguments: Vec<OsString>,
     pub(crate) limits: Limits,
+    pub(crate) stop: Arc<Stop>,
 }
 
 /// What the threads share.
@@ -73,20 +75,26 @@ impl Supervisor {
         let Shared { again, told, failure, .. } = shared.into_inner().unwrap_or_else(PoisonError::into_inner);
         failure.map_or(Ok(()), Err)?;
         for task in again {
+            if self.stop.signal().is_some() {
+                break;
+            }
             let row = self.tried(&task, &mut None)?;
-            told(&Row { attempts: 2, ..row })?;
+            if !self.is_cut_off(&row) {
+                told(&Row { attempts: 2, ..row })?;
+            }
         }
         Ok(())
     }
 
     fn work(&self, shared: &Mutex<Shared<'_>>, changed: &Condvar) {
         let mut slot = None;
-        while let Some((cost, task)) = next(shared, changed) {
+        while let Some((cost, task)) = self.next(shared, changed) {
             let row = self.tried(&task, &mut slot);
             let mut shared = locked(shared);
             shared.queue.done(cost);
             let outcome = match row {
                 Ok(row) if row.status.is_settled() => (shared.told)(&row),
+                Ok(row) if self.is_cut_off(&row) => Ok(()),
                 Ok(_) => {
                     shared.again.push(task);
                     Ok(())
@@ -102,12 +110,35 @@ impl Supervisor {
         }
     }
 
+    /// The next piece of work, as soon as there is room for it; `None` when there is none, or nothing new is to begin.
+    fn next(&self, shared: &Mutex<Shared<'_>>, changed: &Condvar) -> Option<(u64, Task)> {
+        let mut shared = locked(shared);
+        while self.stop.signal().is_none() {
+            if let Some(next) = shared.queue.take() {
+                return Some(next);
+            }
+            if shared.queue.is_empty() {
+                return None;
+            }
+            shared = changed.wait(shared).unwrap_or_else(PoisonError::into_inner);
+        }
+        None
+    }
+
+    /// Whether a row tells of nothing but that its worker was killed as the batch was to end: the file is left for another run.
+    fn is_cut_off(&self, row: &Row) -> bool {
+        self.stop.has_killed() && row.status == RowStatus::Crashed
+    }
+
     /// Tries a file once.
     fn tried(&self, task: &Task, slot: &mut Option<Slot>) -> Result<Row, Failure> {
         let begin = Instant::now();
         let mut worker = match slot.take() {
             Some(worker) => worker,
-            None => Slot::new(Child::start(&self.program, &self.arguments).map_err(cannot_start)?),
+            None => Slot::new(
+                Child::start(&self.program, &self.arguments).map_err(cannot_start)?,
+                Arc::clone(&self.stop),
+            ),
         };
         let failed = |status, reason: &str| {
             let row = Row { seconds: begin.elapsed().as_secs_f64(), host: host(), ..task.row.clone() };
@@ -149,11 +180,19 @@ struct Slot {
     child: Child,
     files: u32,
     plateau: u64,
+    stop: Arc<Stop>,
+}
+
+impl Drop for Slot {
+    fn drop(&mut self) {
+        self.stop.remove(self.child.id());
+    }
 }
 
 impl Slot {
-    fn new(child: Child) -> Self {
-        Slot { child, files: 0, plateau: 0 }
+    fn new(child: Child, stop: Arc<Stop>) -> Self {
+        stop.add(child.id());
+        Slot { child, files: 0, plateau: 0, stop }
     }
 
     /// The worker after one more file; `None` if it has done enough, or has grown past twice its first plateau.
@@ -165,20 +204,6 @@ impl Slot {
         }
         let is_fit = self.files < MOST_FILES && resident / 2 <= self.plateau;
         is_fit.then_some(self)
-    }
-}
-
-/// The next piece of work, as soon as there is room for it; `None` when there is none.
-fn next(shared: &Mutex<Shared<'_>>, changed: &Condvar) -> Option<(u64, Task)> {
-    let mut shared = locked(shared);
-    loop {
-        if let Some(next) = shared.queue.take() {
-            return Some(next);
-        }
-        if shared.queue.is_empty() {
-            return None;
-        }
-        shared = changed.wait(shared).unwrap_or_else(PoisonError::into_inner);
     }
 }
 

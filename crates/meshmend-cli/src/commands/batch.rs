@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::thread::available_parallelism;
 use std::time::Duration;
 
@@ -13,7 +14,7 @@ use meshmend::report::{BatchDocument, Row, RowStatus};
 use meshmend::{Format, Rules};
 
 use super::worker::Worker;
-use crate::batch::{Ledger, Limits, Listed, Supervisor, Task, Tree, listed, of_line};
+use crate::batch::{Ledger, Limits, Listed, Stop, Supervisor, Task, Tree, listed, of_line};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::jobs::{Job, JobInput, JobOutput, Reports, Work, cost, size};
@@ -80,7 +81,7 @@ impl Batch {
     pub(super) fn take(&mut self, matches: &ArgMatches, passes: Passes) {
         self.words.policies.take(matches, passes);
         let worker = policies::with_options(Worker::augment_args(clap::Command::new("worker")), passes);
-        let own = ["memory", "cost", "costing"];
+        let own = ["memory", "cost", "costing", "bound_to"];
         for argument in worker.get_arguments().filter(|argument| !own.contains(&argument.get_id().as_str())) {
             let (id, Some(long)) = (argument.get_id().as_str(), argument.get_long()) else { continue };
             if matches.value_source(id) != Some(ValueSource::CommandLine) {
@@ -192,23 +193,35 @@ impl Batch {
         tasks: Vec<Task>,
         ledger: &mut Ledger,
         counts: &mut BatchDocument,
-        console: &Console<'_>,
+        console: &mut Console<'_>,
     ) -> Result<(), Failure> {
         let program = std::env::current_exe().map_err(|error| Failure::usage(error.to_string()))?;
         let mut arguments = self.forwarded.clone();
+        if cfg!(target_os = "linux") {
+            arguments.push(format!("--bound-to={}", std::process::id()).into());
+        }
         if cfg!(all(unix, not(target_os = "macos"))) {
             arguments.push(format!("--memory={}", self.memory_per_file).into());
         }
         let processors = || available_parallelism().map_or(1, usize::from);
         let jobs = self.jobs.map_or_else(processors, usize::from).clamp(1, tasks.len().max(1));
         let limits = Limits { jobs, memory: self.memory, patience: self.timeout };
-        let progress = console.progress(tasks.len());
+        let progress = console.progress(tasks.len()).of_files();
         let mut tell = |row: &Row| {
             progress.step(&row.path);
             counts.add(row);
             ledger.add(row)
         };
-        Supervisor { program, arguments, limits }.run(tasks, &mut tell)
+        let stop = Arc::new(Stop::default());
+        stop.on_signals();
+        Supervisor { program, arguments, limits, stop: Arc::clone(&stop) }.run(tasks, &mut tell)?;
+        #[cfg(unix)]
+        if let Some(signal) = stop.signal() {
+            drop(progress);
+            console.note("asked to end: what is done has its row, and --resume goes on");
+            crate::signals::end_by(signal);
+        }
+        Ok(())
     }
 }
 

@@ -9,7 +9,7 @@ use meshmend::{Format, Rules};
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
-use crate::jobs::{Answer, Job, JobInput, Reports, Work, cost, limit_address_space, size};
+use crate::jobs::{Answer, Job, JobInput, Reports, Work, bind_to, cost, limit_address_space, size};
 use crate::output_words::OutputWords;
 use crate::repair_words::RepairWords;
 
@@ -34,6 +34,9 @@ pub(crate) struct Worker {
     /// The format that --cost is asked for
     #[arg(value_name = "FORMAT", value_parser = format_words::format)]
     costing: Option<Format>,
+    /// The process that started it, with which it ends, whatever it is at; on Linux
+    #[arg(long, value_name = "PROCESS")]
+    bound_to: Option<u32>,
     #[command(flatten)]
     to: OutputWords,
     #[command(flatten)]
@@ -51,6 +54,10 @@ impl Worker {
                 return Err(Failure::usage(format!("{format} alone says nothing: --cost SIZE {format}")));
             }
             _ => {}
+        }
+        if let Some(process) = self.bound_to {
+            console.own_process("--bound-to")?;
+            bind_to(process).map_err(|reason| Failure::usage(format!("--bound-to: {reason}")))?;
         }
         if let Some(bytes) = self.memory {
             console.own_process("--memory")?;

@@ -1,4 +1,4 @@
-//! The limit on the memory of a worker.
+//! The limits of a worker: its memory, and the life of who started it.
 
 /// Limits the address space of this process: what it can't get then is an error of the reader, or ends it.
 ///
@@ -36,4 +36,24 @@ pub(crate) fn limit_address_space(bytes: u64) -> Result<(), String> {
 #[cfg(not(unix))]
 pub(crate) fn limit_address_space(bytes: u64) -> Result<(), String> {
     Err(format!("this system limits no process to {bytes} bytes"))
+}
+
+/// Has this process end with the one that started it, which has this number.
+///
+/// # Errors
+/// If the system refuses it, or that process has ended already.
+#[cfg(target_os = "linux")]
+pub(crate) fn bind_to(process: u32) -> Result<(), String> {
+    use rustix::process::{Signal, getppid, set_parent_process_death_signal};
+
+    set_parent_process_death_signal(Some(Signal::KILL)).map_err(|error| error.to_string())?;
+    let is_there =
+        getppid().is_some_and(|parent| u32::try_from(parent.as_raw_nonzero().get()) == Ok(process));
+    if is_there { Ok(()) } else { Err(format!("process {process} did not start this one, or has ended")) }
+}
+
+/// Says that the system can't do that.
+#[cfg(not(target_os = "linux"))]
+pub(crate) fn bind_to(process: u32) -> Result<(), String> {
+    Err(format!("this system binds no process to {process}"))
 }

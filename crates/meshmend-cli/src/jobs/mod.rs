@@ -12,7 +12,7 @@ mod work;
 
 pub(crate) use self::cost::cost;
 pub(crate) use self::job::{Answer, Job, JobInput, JobOutput};
-pub(crate) use self::limit::limit_address_space;
+pub(crate) use self::limit::{bind_to, limit_address_space};
 pub(crate) use self::meter::host;
 pub(crate) use self::sizes::size;
 pub(crate) use self::work::{Reports, Work};
