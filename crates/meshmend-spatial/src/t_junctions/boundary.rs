@@ -2,9 +2,13 @@
 
 use std::sync::Arc;
 
-use meshmend_core::{Complex, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, PolygonMesh, VertexId};
+use meshmend_core::{
+    Cancelled, Complex, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, PolygonMesh, VertexId, Watch,
+};
 use meshmend_geometry::coincident::coincident_vertices;
 use meshmend_geometry::vector::{Point, is_finite};
+
+use super::STEP;
 
 /// An edge with one side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,12 +33,17 @@ pub(crate) struct Boundary {
 impl Boundary {
     /// That of a mesh, each vertex being the lowest one at its position.
     ///
+    /// # Errors
+    /// When whoever watches stops it.
+    ///
     /// *Cost*: that of the mesh's edges, and of those of the joined one if vertices share positions.
-    pub(crate) fn welded(mesh: &PolygonMesh) -> Self {
-        match welded_faces(mesh) {
-            Some(faces) => Self::of(&Complex::of(&Arc::new(faces)), mesh.positions()),
-            None => Self::of(mesh.complex(), mesh.positions()),
-        }
+    pub(crate) fn welded(mesh: &PolygonMesh, watch: &Watch) -> Result<Self, Cancelled> {
+        let faces = welded_faces(mesh).map(Arc::new);
+        watch.look(STEP, 0, 0)?;
+        let of_faces = faces.as_ref().map(Complex::of);
+        let complex = of_faces.as_ref().unwrap_or_else(|| mesh.complex());
+        watch.look(STEP, 0, 0)?;
+        Ok(Self::of(complex, mesh.positions()))
     }
 
     /// That of a complex.

@@ -67,7 +67,7 @@ impl TJunction {
 /// *Cost*: O(n log n + pairs); 100 bytes a boundary edge.
 pub fn t_junctions(mesh: &PolygonMesh, within: f64, watch: &Watch) -> Result<Vec<TJunction>, Cancelled> {
     watch.look(STEP, 0, 0)?;
-    let boundary = Boundary::welded(mesh);
+    let boundary = Boundary::welded(mesh, watch)?;
     let on = vertices_on_edges(mesh.positions(), &boundary, within, watch)?;
     let found = on.pairs().par_iter().map(|&(edge, vertex)| TJunction {
         is_aligned: on.is_aligned(&boundary, edge, vertex),
