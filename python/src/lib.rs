@@ -54,6 +54,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(registries::registries, module)?)?;
     module.add_function(wrap_pyfunction!(registries::explain, module)?)?;
     module.add_function(wrap_pyfunction!(registries::set_threads, module)?)?;
+    module.add_function(wrap_pyfunction!(registries::threads, module)?)?;
     module.add_function(wrap_pyfunction!(registries::panic, module)?)?;
     Ok(())
 }

@@ -61,7 +61,7 @@ pub(crate) fn give_back(leased: Leased) {
 }
 
 /// As many as were set, or as this process may use: what it may run on, and what its cgroup allows.
-fn usual() -> usize {
+pub(crate) fn usual() -> usize {
     match DEFAULT.load(Ordering::Relaxed) {
         0 => thread::available_parallelism().map_or(1, NonZeroUsize::get),
         set => set,

@@ -80,6 +80,12 @@ pub(crate) fn set_threads(count: Option<i64>) -> PyResult<()> {
     Ok(())
 }
 
+/// How many threads calls have that do not say it.
+#[pyfunction]
+pub(crate) fn threads() -> usize {
+    crate::pool::usual()
+}
+
 /// A mistake, for the test of what becomes of one.
 #[pyfunction]
 #[pyo3(name = "_panic")]

@@ -78,7 +78,7 @@ def workers_of(pid):
             words = Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")
         except OSError:
             return False
-        return b"meshmend.fleet._command" in words or b"worker" in words[1:2]
+        return b"meshmend._command" in words or b"worker" in words[1:2]
 
     return {child for child in descendants(pid) if is_worker(child)}
 

@@ -118,10 +118,8 @@ def test_what_can_not_be_asked_for_is_said_before_any_work(meshes, tmp_path):
 def test_parts_are_no_longer_than_they_may_be(tmp_path, monkeypatch, worker):
     monkeypatch.setattr(_table, "ROWS_OF_A_PART", 10)
     row = worker().template("a.obj")
-    parts = _table.Parts(f"{tmp_path}/rows", None)
-    for number in range(25):
-        parts.add([{**row, "path": f"{number}.obj"}])
-    parts.flush()
+    rows = [{**row, "path": f"{number}.obj"} for number in range(25)]
+    assert [one for batch in _table.kept(([one] for one in rows), f"{tmp_path}/rows", None) for one in batch] == rows
     table = fleet.read_table(f"{tmp_path}/rows")
     assert table["path"].to_pylist() == [f"{number}.obj" for number in range(25)]
     assert len(contents(tmp_path / "rows")) == 3

@@ -8,7 +8,8 @@ import threading
 from pathlib import Path
 
 import pytest
-from meshmend.fleet import Worker, WorkerError, _worker
+from meshmend import _child
+from meshmend.fleet import Worker, WorkerError
 
 from .lake import COMMAND, EXAMPLES, RUN_COLUMNS, descendants, eventually, is_gone, strike, workers_of
 
@@ -119,14 +120,14 @@ def test_many_files_are_for_one_child(worker):
 
 @pytest.mark.parametrize("limit", ["FILES_OF_A_CHILD", "plateau"])
 def test_a_child_is_replaced_after_many_files_and_when_it_has_grown(worker, monkeypatch, limit):
-    monkeypatch.setattr(_worker, "FILES_BETWEEN_LOOKS", 1)
+    monkeypatch.setattr(_child, "FILES_BETWEEN_LOOKS", 1)
     mended = worker()
     mended.mend(BROKEN)
     first = mended._child.process.pid
     if limit == "plateau":
         mended._child.plateau = 1
     else:
-        monkeypatch.setattr(_worker, limit, 3)
+        monkeypatch.setattr(_child, limit, 3)
     assert [mended.mend(BROKEN)["status"] for _ in range(4)] == ["mended"] * 4
     assert is_gone(first)
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ._worker import Worker, WorkerError
+from .._worker import Worker, WorkerError
 
 if TYPE_CHECKING:
     from ._jobs import check, mend

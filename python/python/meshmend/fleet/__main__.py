@@ -6,9 +6,6 @@ import sys
 
 from . import check, compact, mend, summary
 
-RESULTS = {"mended", "clean", "left"}
-
-
 def main() -> int:
     """0 if every file has a result, 1 if some have none; 2 is for words that are wrong."""
     parser = argparse.ArgumentParser(prog="python -m meshmend.fleet", description=__doc__)
@@ -31,7 +28,7 @@ def main() -> int:
     if task in ("mend", "check"):
         ended = {"mend": mend, "check": check}[task](**words, progress=sys.stderr.isatty())
         print(json.dumps({"files": sum(ended.values()), "status": ended}))
-        return 0 if RESULTS.issuperset(ended) else 1
+        return 0 if {"mended", "clean", "left"}.issuperset(ended) else 1
     if task == "compact":
         compact(words["table"])
     print(json.dumps(summary(words["table"])))

@@ -8,17 +8,18 @@ import os
 import shutil
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import nullcontext
-from datetime import datetime, timezone
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import closing, nullcontext
 from typing import Any
 
 import daft
 
-from .._progress import watched
+from .. import _native
+from .._child import Row, short
+from .._progress import Step, watched
+from .._worker import Worker
 from ._store import File, files_below, is_local, listing, plain, put
-from ._table import Parts, read_table
-from ._worker import Row, Worker
+from ._table import kept, read_table
 
 BYTES_THROUGH_PIPES = 64 << 20
 FILES_OF_A_BATCH = 16
@@ -26,52 +27,46 @@ _KEY = ("size", "mtime", "plan_digest", "version")
 
 
 def mend(
-    source: str | Sequence[str], *, to: str | None, table: str, plan: Any = None, timeout: float | None = None,
-    memory: str | int | None = None, concurrency: int | None = None, resume: bool = True, retry: Collection[str] = (),
-    io_config: Any = None, progress: Callable[[str, int, int], object] | bool | None = None, format: str | None = None,
-    options: Sequence[str] = (), reports: bool = False, scratch: str | None = None, command: Sequence[str] | None = None,
+    source: str | Sequence[str], *, to: str | None, table: str, concurrency: int | None = None, resume: bool = True,
+    retry: Collection[str] = (), io_config: Any = None, progress: Step | bool | None = None, format: str | None = None,
+    scratch: str | None = None, **policy: Any,
 ) -> dict[str, int]:
     """Mends all files of folders and globs, and says how many ended how; `table` has a row for each.
 
     A file with a row is not done again if it, the policy and meshmend are the same and its output is there, unless its status is
-    one of `retry`. `timeout` and `memory` are those of a file; `concurrency` is how many workers there are, by default one a
-    processor. Where Daft runs on Ray, they are on its nodes.
+    one of `retry`. `policy` is that of a `Worker`: `plan`, `timeout`, `memory`, ...; `concurrency` is how many workers there are,
+    by default one a processor. Where Daft runs on Ray, they are on its nodes.
     """
-    worker = Worker(plan=plan, options=options, timeout=timeout, memory=memory, reports=reports, command=command)
+    worker = Worker(**policy)
     # That of this process, where it has one; those on other nodes have none.
     io_config = io_config or daft.context.get_context().daft_planning_config.default_io_config
     sources, to = [source] if isinstance(source, str) else source, to and plain(to).rstrip("/") + "/"
     listed = {file.path: file for one in sources for file in listing(one, io_config)}
-    is_apart = to and to not in {file.base for file in listed.values()}
     # Results of before that lie below the source are none of its files.
-    files = [file for file in listed.values() if not (is_apart and file.path.startswith(to))]
-    outputs = {file.path: to and _output(to + file.path[len(file.base) :], format) for file in files}
+    files = [file for file in listed.values() if not to or file.base == to or not file.path.startswith(to)]
+    ending = (lambda path: f"{os.path.splitext(path)[0]}.{format}") if format else str
+    outputs = {file.path: to and ending(to + file.path[len(file.base) :]) for file in files}
     taken = Counter(outputs.values())
     for path, output in outputs.items():
         if output and (output in outputs or taken[output] > 1):
             raise ValueError(f"{path}: its output {output} is an input, or that of another file")
-    there = {None} | ({file.path for file in files_below(to, io_config)} if to else set())
-    seen = _rows(table, io_config) if resume else {}
-    ended: Counter[str] = Counter()
-    with worker:  # It says at once what is wrong with the policy.
-        def is_done(file: File) -> bool:
-            now, row = worker.template(file.path, outputs[file.path], format), seen.get(file.path)
-            key = (file.size, file.mtime, now["plan_digest"], now["version"])
-            done = row is not None and row["status"] not in retry and row["output"] in there and key == tuple(row[name] for name in _KEY)
-            ended.update([row["status"]] if done else [])
-            return done
+    there = {None, *(file.path for file in (files_below(to, io_config) if to else ()))}
+    rows = _rows(table, io_config) if resume else ()
+    before = {row["path"]: row for row in rows if row["status"] not in retry and row["output"] in there}
 
-        left = sorted((file for file in files if not is_done(file)), key=lambda file: -file.size)
-    parts = Parts(table, io_config)
-    with watched(progress=progress) as (_, step):
-        try:
-            for rows in _worked(left, outputs, concurrency or _processors(), (worker, format, scratch, io_config)):
-                parts.add(rows)
-                ended.update(row["status"] for row in rows)
-                if step:
-                    step("mend", sum(ended.values()), len(files))
-        finally:
-            parts.flush()
+    def is_done(file: File) -> bool:
+        now = {**worker.template(file.path, outputs[file.path], format), **file._asdict()}
+        return all(before[file.path][name] == now[name] for name in _KEY) if file.path in before else False
+
+    with worker:  # It says at once what is wrong with the policy.
+        left = [file for file in files if not is_done(file)]
+    ended = Counter(before[path]["status"] for path in outputs.keys() - {file.path for file in left})
+    worked = _worked(left, outputs, concurrency or _processors(), (worker, format, scratch, io_config)) if left else ()
+    with watched(progress=progress) as (_, step), closing(kept(worked, table, io_config)) as batches:
+        for rows in batches:
+            ended.update(row["status"] for row in rows)
+            if step:
+                step("mend", sum(ended.values()), len(files))
     return dict(ended)
 
 
@@ -84,12 +79,11 @@ def _worked(files: list[File], outputs: dict[str, str | None], workers: int, how
     size = max(1, min(FILES_OF_A_BATCH, len(files) // (4 * workers)))
     batches = -(-len(files) // size)
     # Dealt like cards: each batch begins with a large file, and the largest come first.
-    files = [file for begin in range(batches) for file in files[begin::batches]]
-    columns = {name: [getattr(file, name) for file in files] for name in ("path", "size", "mtime")}
-    frame = daft.from_pydict({**columns, "output": [outputs[file.path] for file in files]})
-    mender = daft.cls(_Mender, max_concurrency=workers)(*how)
-    frame = frame.into_batches(size).select(mender.mended(*(daft.col(name) for name in frame.column_names)).alias("row"))
-    for batch in frame.to_arrow_iter() if files else ():
+    files = sorted(files, key=lambda file: -file.size)
+    frame = daft.from_pylist([{**file._asdict(), "output": outputs[file.path]} for begin in range(batches) for file in files[begin::batches]])
+    mended = daft.cls(_Mender, max_concurrency=workers)(*how).mended
+    frame = frame.into_batches(size).select(mended(*(daft.col(name) for name in ("path", "size", "mtime", "output"))).alias("row"))
+    for batch in frame.to_arrow_iter():
         yield [json.loads(row) for row in batch.column("row").to_pylist()]
 
 
@@ -103,24 +97,22 @@ class _Mender:
     def mended(self, path: str, size: int, mtime: int | None, output: str | None) -> str:
         """The row of a file, as JSON."""
         with tempfile.TemporaryDirectory(dir=self.scratch) if size > BYTES_THROUGH_PIPES else nullcontext("") as folder:
-            row = self._mended(path, size, output, folder)
-        begin = mtime and datetime.fromtimestamp(mtime // 10**9, timezone.utc)
-        return json.dumps({**row, "size": size, "mtime": begin and f"{begin:%Y-%m-%dT%H:%M:%S}.{mtime % 10**9:09}Z"})
+            return json.dumps({**self._mended(path, size, output, folder), "size": size, "mtime": mtime})
 
     def _mended(self, path: str, size: int, output: str | None, folder: str) -> Row:
-        goal = output and (output if is_local(output) else size <= BYTES_THROUGH_PIPES or f"{folder}/{os.path.basename(output)}")
+        goal = output and (output if is_local(output) else not folder or f"{folder}/{os.path.basename(output)}")
         try:
             source = path if is_local(path) else self._fetched(path, folder)
         except Exception as error:
             status = "missing" if isinstance(error, FileNotFoundError) else "unreadable"
-            return {**self.worker.template(path, goal, self.format), **_failed(status, error)}
+            return _failed(self.worker.template(path, goal, self.format), status, error)
         row, data = self.worker.run(source, goal, name=path, format=self.format)
         if output and row["output_sha256"] and not is_local(output):
             try:
                 with open(goal, "rb") if data is None else io.BytesIO(data) as file:
                     put(output, file, self.io_config)
             except Exception as error:
-                return {**row, "output_sha256": None, "format_out": None, **_failed("unwritable", error)}
+                return _failed(row, "unwritable", error)
             row["output"] = output
         return row
 
@@ -133,24 +125,19 @@ class _Mender:
                 return whole.name
 
 
-def _failed(status: str, error: Exception) -> Row:
-    return {"status": status, "output": None, "message": str(error).encode()[:500].decode(errors="ignore")}
+def _failed(row: Row, status: str, error: Exception) -> Row:
+    return {**row, "status": status, "output": None, "output_sha256": None, "format_out": None, "message": short(error)}
 
 
-def _output(path: str, format: str | None) -> str:
-    return f"{os.path.splitext(path)[0]}.{format}" if format else path
-
-
-def _rows(table: str, io_config: Any) -> dict[str, Row]:
+def _rows(table: str, io_config: Any) -> list[Row]:
     rows = read_table(table, io_config).select(["path", "status", "output", *_KEY])
     # As a number: a date of Python has no nanoseconds.
-    rows = rows.set_column(rows.column_names.index("mtime"), "mtime", rows["mtime"].cast("int64"))
-    return {row["path"]: row for row in rows.to_pylist()}
+    return rows.set_column(rows.column_names.index("mtime"), "mtime", rows["mtime"].cast("int64")).to_pylist()
 
 
 def _processors() -> int:
     if daft.get_or_infer_runner_type() != "ray":
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        return _native.threads()
     import ray
 
     daft.get_or_create_runner()

@@ -56,7 +56,7 @@ def listing(source: str, io_config: Any) -> list[File]:
         found = daft.from_glob_path(source, io_config).to_pydict()
     except Exception as error:
         raise FileNotFoundError(f"{source}: {error}") from error
-    times = {file.path: file.mtime for file in files_below(base, io_config)} if is_local(source) or base.count("/") > 2 else {}
+    times = {file.path: file.mtime for file in files_below(base, io_config)}
     paths = map(plain, found["path"])
     return [File(path, base, size, times.get(path)) for path, size in zip(paths, found["size"], strict=True)]
 
@@ -71,4 +71,3 @@ def put(url: str, data: BinaryIO, io_config: Any) -> None:
         shutil.copyfileobj(data, file, 8 << 20)
     if is_local(url):
         os.replace(written, path)
-

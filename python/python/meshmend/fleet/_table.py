@@ -7,14 +7,16 @@ import json
 import os
 import time
 from collections import Counter
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pyarrow as pa
+import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
+from .._child import Row
 from ._store import files_below, is_local, plain, put, within
 
-Row = dict[str, Any]
 ROWS_OF_A_PART = 10_000
 _HASH, _TIME, _COUNT, _TEXT = pa.binary(32), pa.timestamp("ns", tz="UTC"), pa.int64(), pa.string()
 _FIGURES = pa.struct(
@@ -35,33 +37,31 @@ SCHEMA = pa.schema({
 })
 
 
-class Parts:
-    """Rows on their way into a folder. Those that wait are lost if the process is killed, and are done again."""
-
-    def __init__(self, table: str, io_config: Any) -> None:
-        self.table, self.io_config, self.rows = table, io_config, []
-        self.begin = self.last = time.monotonic()
-
-    def add(self, rows: list[Row]) -> None:
-        self.rows += rows
-        now = time.monotonic()
-        # A kill costs a second and a twentieth of the time so far, and yet there are few parts, however long it takes.
-        if len(self.rows) >= ROWS_OF_A_PART or now - self.last > 1 + (now - self.begin) / 20:
-            self.flush()
-
-    def flush(self) -> None:
-        put_parts(self.table, arrow(self.rows), self.io_config)
-        self.rows, self.last = [], time.monotonic()
+def kept(batches: Iterable[list[Row]], table: str, io_config: Any) -> Iterator[list[Row]]:
+    """Rows as they come, on their way into a folder. Those that wait are lost if the process is killed, and are done again."""
+    waiting: list[Row] = []
+    begin = last = time.monotonic()
+    try:
+        for rows in batches:
+            waiting += rows
+            now = time.monotonic()
+            # A kill costs a second and a twentieth of the time so far, and yet there are few parts, however long it takes.
+            if len(waiting) >= ROWS_OF_A_PART or now - last > 1 + (now - begin) / 20:
+                put_parts(table, arrow(waiting), io_config)
+                waiting, last = [], now
+            yield rows
+    finally:
+        put_parts(table, arrow(waiting), io_config)
 
 
 def arrow(rows: list[Row]) -> pa.Table:
     """Rows of workers, or of a ledger, as a table."""
     def column(field: pa.Field) -> pa.Array:
         values = [row.get(field.name) for row in rows]
-        if field.type == _TIME:
-            return pa.array(values, _TEXT).cast(_TIME)
-        of = bytes.fromhex if field.type == _HASH else lambda value: [*value.items()] if field.name == "defects" else value
-        return pa.array([None if value is None else of(value) for value in values], field.type)
+        if field.type == _HASH:
+            values = [value and bytes.fromhex(value) for value in values]
+        # A time is a text in a ledger, and so many nanoseconds in a row of the fleet.
+        return pa.array(values).cast(_TIME) if field.type == _TIME else pa.array(values, field.type)
 
     return pa.table([column(field) for field in SCHEMA], SCHEMA)
 
@@ -80,12 +80,12 @@ def _parts(table: str, io_config: Any) -> list[str]:
 
 def read_table(table: str, io_config: Any = None) -> pa.Table:
     """The rows of a folder of parts, of one, or of a ledger of `meshmend batch`: one a path, the last there is."""
-    if is_local(plain(table)) and os.path.isfile(plain(table)) and not plain(table).endswith(".parquet"):
-        with open(plain(table), "rb") as file:  # Whose last line is torn, if its writer was killed.
+    table = plain(table)
+    if is_local(table) and os.path.isfile(table) and not table.endswith(".parquet"):
+        with open(table, "rb") as file:  # Whose last line is torn, if its writer was killed.
             rows = arrow([json.loads(line) for line in file if line.endswith(b"\n")])
     else:
-        parts = [plain(table)] if plain(table).endswith(".parquet") else _parts(table, io_config)
-        places = [within(part, io_config) for part in parts]
+        places = [within(part, io_config) for part in ([table] if table.endswith(".parquet") else _parts(table, io_config))]
         rows = pa.concat_tables([SCHEMA.empty_table(), *(pq.read_table(path, filesystem=system, schema=SCHEMA) for system, path in places)])
     last = {path: at for at, path in enumerate(rows["path"].to_pylist())}
     return rows.take(pa.array(sorted(last.values()), pa.int64()))
@@ -105,7 +105,7 @@ def summary(table: str, io_config: Any = None) -> Row:
     """How many files there are, how they ended, what was wrong with them, and what it took."""
     rows = read_table(table, io_config)
     ends, defects = Counter(rows["status"].to_pylist()), Counter()
-    for found in rows["defects"].to_pylist():
-        defects.update(dict(found or ()))
-    seconds = sum(seconds or 0 for seconds in rows["cpu_seconds"].to_pylist())
+    for found in rows["defects"].drop_null().to_pylist():
+        defects.update(dict(found))
+    seconds = pc.sum(rows["cpu_seconds"], min_count=0).as_py()
     return {"files": rows.num_rows, "status": dict(ends), "defects": dict(sorted(defects.items())), "cpu_seconds": seconds}

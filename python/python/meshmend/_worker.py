@@ -1,24 +1,20 @@
-"""A kept child process that mends file after file, and what is done when it hangs, dies or takes too much memory."""
+"""A worker: files mended one after another in a kept child process, and a row of each whatever it does to the child."""
 
 from __future__ import annotations
 
-import json
 import os
-import signal
-import subprocess
 import sys
-import tempfile
 import threading
 import time
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
-Row = dict[str, Any]
-Answer = tuple[Row, bytes | None]
-COMMAND = (sys.executable, "-m", "meshmend.fleet._command")  # As `meshmend-worker`, and `meshmend worker`.
+from ._child import Answer, Child, Row
+from ._plan import Plan, text_of
+
+COMMAND = (sys.executable, "-m", "meshmend._command")  # As `meshmend-worker`, and `meshmend worker`.
 RETRIED = frozenset({"timeout", "memory", "crashed"})
-FILES_OF_A_CHILD, FILES_BETWEEN_LOOKS, SECONDS_TO_START, STARTS = 10_000, 100, 60.0, 10
+SECONDS_TO_START, STARTS = 60.0, 10
 
 
 class WorkerError(RuntimeError):
@@ -37,8 +33,9 @@ class Worker:
         self, *, plan: Any = None, options: Sequence[str] = (), timeout: float | None = None, memory: str | int | None = None,
         reports: bool = False, command: Sequence[str] | None = None,
     ) -> None:
-        self._child: _Child | None = None
-        self._plan, self._timeout = plan_text(plan), timeout
+        self._child: Child | None = None
+        self._plan = plan.to_toml() if isinstance(plan, Plan) else None if plan is None else text_of(plan)
+        self._timeout = timeout
         self._words = [*(command or COMMAND), *(["--memory", str(memory)] if memory else []), *(["--reports"] if reports else []), *options]
         self.__setstate__({})
 
@@ -94,9 +91,9 @@ class Worker:
             self.close()
         return answer or (row, None)
 
-    def _kept(self) -> _Child:
+    def _kept(self) -> Child:
         if not self._child or self._child.owner != os.getpid():  # After a fork, the child is the parent's.
-            self._child = _Child(self._words, self._plan)
+            self._child = Child(self._words, self._plan)
         return self._child
 
     def __getstate__(self) -> Row:
@@ -112,86 +109,6 @@ class Worker:
         self.close()
 
     __del__ = close
-
-
-class _Child:
-    def __init__(self, words: list[str], plan: str | None) -> None:
-        self.owner, self.is_late, self.files, self.plateau = os.getpid(), False, 0, 0
-        self.templates: dict[object, Answer | None] = {}
-        self.errors = tempfile.TemporaryFile()
-        with tempfile.TemporaryFile() as file:
-            file.write((plan or "").encode())
-            file.seek(0)
-            words = words if plan is None else [*words, "--plan", f"/dev/fd/{file.fileno()}"]
-            # In a session of its own: Ctrl-C is for who started it, and the whole of it can be killed.
-            self.process = subprocess.Popen(
-                words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.errors, start_new_session=True, pass_fds=[file.fileno()]
-            )
-
-    def ask(self, job: Row, data: bytes, timeout: float | None) -> Answer | None:
-        """The answer to a job; None if the child has died, or was late and is killed."""
-        timer = threading.Timer(threading.TIMEOUT_MAX if timeout is None else timeout, self.stop_late)
-        timer.daemon = True
-        timer.start()
-        try:
-            self.process.stdin.write(json.dumps(job, ensure_ascii=False).encode() + b"\n" + data)
-            self.process.stdin.flush()
-            answer = json.loads(self.process.stdout.readline())
-            back = self.process.stdout.read(answer["bytes"]) if "bytes" in answer else None
-            return (answer["row"], back) if len(back or b"") == answer.get("bytes", 0) else None
-        except (OSError, json.JSONDecodeError):
-            return None
-        finally:
-            self.files += 1
-            timer.cancel()
-            timer.join()
-
-    def stop_late(self) -> None:
-        self.is_late = True
-        self.kill()
-
-    def kill(self) -> None:
-        if self.process.poll() is None:
-            os.killpg(self.process.pid, signal.SIGKILL)
-
-    def ended(self) -> Row:
-        """How the child ended, as a row says it."""
-        try:
-            code = self.process.wait(5)
-        except subprocess.TimeoutExpired:
-            self.kill()
-            code = self.process.wait()
-        self.errors.seek(max(0, self.errors.seek(0, os.SEEK_END) - (64 << 10)))
-        said = self.errors.read().decode(errors="replace").partition("\nstack backtrace:")[0].strip()
-        message = f"the worker ended by signal {-code}" if code < 0 else f"the worker ended with status {code}"
-        is_short = "memory allocation of" in said or "Cannot allocate memory" in said
-        status = "memory" if code == -signal.SIGABRT and is_short else "crashed"
-        return {"status": status, "signal": max(-code, 0) or None, "message": f"{message}: {said}".encode()[:500].decode(errors="ignore") if said else message}
-
-    def is_worn(self) -> bool:
-        """Whether another one should take its place: after many files, or when its memory has doubled."""
-        if self.files % FILES_BETWEEN_LOOKS:
-            return False
-        resident = int(Path(f"/proc/{self.process.pid}/statm").read_text().split()[1]) if sys.platform == "linux" else 0
-        self.plateau = self.plateau or resident
-        return self.files >= FILES_OF_A_CHILD or resident > 2 * self.plateau
-
-    def close(self) -> None:
-        try:
-            self.process.stdin.close()
-            self.process.wait(1)
-        except (OSError, subprocess.TimeoutExpired):
-            self.kill()
-            self.process.wait()
-        self.process.stdout.close()
-        self.errors.close()
-
-
-def plan_text(plan: Any) -> str | None:
-    """The TOML of a plan: of a `meshmend.Plan`, or of a file."""
-    if plan is None or hasattr(plan, "to_toml"):
-        return plan and plan.to_toml()
-    return Path(plan).read_text(encoding="utf-8")
 
 
 def _to(job: Row, output: str | bool | None, format: str | None) -> Row:

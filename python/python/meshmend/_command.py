@@ -3,7 +3,7 @@
 import signal
 import sys
 
-from .. import _native
+from . import _native
 
 
 def main() -> None:
