@@ -24,7 +24,7 @@ fn good(argument: &Arg) -> (String, bool) {
         ("maps", _) => ("maps.npz", true),
         (_, "PROCESS") => ("1", false),
         (_, "OUT.mtx") => ("new.mtx", true),
-        (_, "IN" | "FILE") => ("broken.obj", true),
+        (_, "IN" | "FILE" | "LIST") => ("broken.obj", true),
         ("from", "V") => ("v0", false),
         (_, "CELLS") => ("v0", false),
         (_, "FIELDS") => ("2", false),

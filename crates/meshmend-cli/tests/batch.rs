@@ -11,7 +11,7 @@ use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use common::{Folder, meshmend, program};
+use common::{Folder, meshmend, piped, program};
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::Value;
 
@@ -111,6 +111,19 @@ fn outputs_that_are_one_file_or_an_input_are_refused_before_anything_is_done() {
     meshmend(&["batch", &a, &b, "-o", &out, "--to", "stl"]).fails(2, "the output of both");
     meshmend(&["batch", &folder.at("in"), "-o", &folder.at("in")]).fails(2, "the place of an input");
     assert_eq!((folder.names(), fs::read_to_string(&a).unwrap()), (vec!["in".to_owned()], twice(1)));
+    let upper = folder.with("in/A.obj", &twice(2));
+    meshmend(&["batch", &a, &upper, "-o", &out]).fails(2, "where case makes no difference");
+    fs::remove_file(upper).unwrap();
+    for ledger in [&a, &folder.at("in/../in/a.obj")] {
+        meshmend(&["batch", &a, "-o", &out, "--ledger", ledger]).fails(2, "the ledger is an input too");
+    }
+    meshmend(&["batch", &a, "-o", &out, "--ledger", &format!("{out}/./a.obj")])
+        .fails(2, "the ledger is an output too");
+    let list = folder.with("list.txt", &a);
+    meshmend(&["batch", "--from", &list, "-o", &out, "--ledger", &list]).fails(2, "the ledger is an input");
+    assert_eq!((fs::read_to_string(&list).unwrap(), fs::read_to_string(&a).unwrap()), (a.clone(), twice(1)));
+    fs::remove_file(list).unwrap();
+    assert_eq!(folder.names(), ["in"]);
     let run = meshmend(&[
         "batch",
         &folder.at("in/*.obj"),
@@ -122,6 +135,36 @@ fn outputs_that_are_one_file_or_an_input_are_refused_before_anything_is_done() {
     ]);
     assert_eq!((run.status, tree(&out).into_keys().collect::<Vec<_>>()), (1, vec!["a_new.obj".to_owned()]));
     assert_eq!(run.json()["statuses"]["missing"], 1);
+}
+
+#[test]
+fn a_list_is_a_file_or_standard_input() {
+    let folder = Folder::new();
+    let paths = ["one.obj", "two.obj", "b/three.obj"].map(|name| folder.at(name));
+    fs::create_dir_all(folder.at("b")).unwrap();
+    paths.iter().enumerate().for_each(|(number, path)| fs::write(path, twice(number)).unwrap());
+    // A folder, an empty line, an ending of Windows, and no ending of the last line.
+    let text = format!("{}\n\n{}\r\n{}", paths[0], folder.at("b"), folder.at("none.obj"));
+    let list = folder.with("list.txt", &text);
+    let [by_file, by_stream, by_word] = ["file", "stream", "word"].map(|name| folder.at(name));
+    let run = meshmend(&["batch", "--from", &list, &paths[1], "-o", &by_file, "--json"]);
+    assert_eq!((run.status, &run.json()["files"]), (1, &4.into()), "{}", run.stderr);
+    assert_eq!(run.json()["statuses"]["missing"], 1);
+    for words in [["--from", "-", &by_stream].as_slice(), &["-", &by_word]] {
+        let (out, list) = words.split_last().unwrap();
+        let run = piped(&[&["batch", &paths[1], "-o", out], list].concat(), text.as_bytes());
+        assert_eq!(run.status.code(), Some(1), "{run:?}");
+    }
+    let placed = tree(&by_file);
+    assert_eq!(placed.len(), 3);
+    assert!(placed.contains_key("two.obj") && placed.contains_key(paths[2].trim_start_matches('/')));
+    assert!(placed == tree(&by_stream) && placed == tree(&by_word));
+
+    meshmend(&["batch", "-o", &by_file]).fails(2, "<IN>...");
+    meshmend(&["batch", "--from", &folder.at("gone.txt"), "-o", &by_file]).fails(2, "gone.txt");
+    meshmend(&["batch", "-", "--from", "-", "-o", &by_file]).fails(2, "only once");
+    let up = folder.with("up.txt", "../one.obj\n");
+    meshmend(&["batch", "--from", &up, "-o", &by_file]).fails(2, "no `..`");
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! `meshmend batch`: mends many files, whatever happens to any of them.
 
 use std::ffi::OsString;
-use std::fs;
-use std::io::{BufRead, BufReader};
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::available_parallelism;
@@ -33,8 +33,11 @@ const LEDGER: &str = "batch.jsonl";
 #[derive(Debug, Args)]
 pub(crate) struct Batch {
     /// Files, folders (files with the name of a mesh; links are not followed), patterns, or `-` for a list on standard input
-    #[arg(value_name = "IN", required = true)]
+    #[arg(value_name = "IN", required_unless_present = "from")]
     inputs: Vec<PathBuf>,
+    /// A file of inputs, a path a line, or `-` for standard input
+    #[arg(long, value_name = "LIST")]
+    from: Option<PathBuf>,
     /// The folder of the results, a tree like that of the inputs
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
@@ -106,11 +109,12 @@ impl Batch {
         let work = Work { repair, to, gate: self.words.gate.clone(), reports: Reports::LeftOut };
         let files = self.files(console)?;
         let tree = Tree { root: &self.output, suffix: &self.suffix, format: self.to.format_named() };
-        let outputs = tree.outputs(&files)?;
+        let path = self.ledger.clone().unwrap_or_else(|| self.output.join(LEDGER));
+        let list = self.from.as_deref().filter(|list| !is_stream(list));
+        let outputs = tree.outputs(&files, list, &path)?;
 
         fs::create_dir_all(&self.output)
             .map_err(|error| Failure::unwritable(&self.output.display().to_string(), error))?;
-        let path = self.ledger.clone().unwrap_or_else(|| self.output.join(LEDGER));
         let (mut ledger, rows) = Ledger::open(&path)?;
         if rows.broken > 0 {
             console.note(&format!(
@@ -144,19 +148,12 @@ impl Batch {
 
     fn files(&self, console: &mut Console<'_>) -> Result<Vec<Listed>, Failure> {
         let mut files = Vec::new();
-        for word in &self.inputs {
-            if !is_stream(word) {
-                files.extend(listed(word, &self.output)?);
-                continue;
-            }
-            let Some(input) = console.take_input() else {
-                return Err(Failure::usage("standard input can be read only once"));
-            };
-            for line in BufReader::new(input).lines() {
-                let line = line.map_err(|error| Failure::usage(format!("standard input: {error}")))?;
-                if !line.is_empty() {
-                    files.extend(of_line(&line, &self.output)?);
-                }
+        for word in self.inputs.iter().filter(|word| !is_stream(word)) {
+            files.extend(listed(word, &self.output)?);
+        }
+        for list in self.inputs.iter().filter(|word| is_stream(word)).chain(&self.from) {
+            for line in lines_of(list, console)? {
+                files.extend(of_line(&line, &self.output)?);
             }
         }
         Ok(files)
@@ -223,6 +220,22 @@ impl Batch {
         }
         Ok(())
     }
+}
+
+/// The lines of a list that say something.
+fn lines_of(list: &Path, console: &mut Console<'_>) -> Result<Vec<String>, Failure> {
+    let (name, input): (_, Box<dyn Read + '_>) = if is_stream(list) {
+        let Some(input) = console.take_input() else {
+            return Err(Failure::usage("standard input can be read only once"));
+        };
+        ("standard input".to_owned(), Box::new(input))
+    } else {
+        let name = list.display().to_string();
+        let file = File::open(list).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
+        (name, Box::new(file))
+    };
+    let lines = BufReader::new(input).lines().filter(|line| !line.as_ref().is_ok_and(String::is_empty));
+    lines.collect::<Result<_, _>>().map_err(|error| Failure::usage(format!("{name}: {error}")))
 }
 
 /// The counts for people.
