@@ -15,7 +15,7 @@ use crate::defects::DefectList;
 use crate::document::DocumentHandle;
 use crate::errors::{self, Done, Problem};
 use crate::how::How;
-use crate::mesh::{MeshHandle, Origin};
+use crate::mesh::{MeshHandle, OfFile, Origin};
 use crate::words;
 
 /// How to check.
@@ -161,7 +161,7 @@ impl CheckHandle {
             }
             _ => json(&self.document(limit)),
         });
-        text.map_err(|error| errors::internal(py, &error.to_string(), None))
+        errors::written(py, text)
     }
 
     /// What the command prints for people.
@@ -173,13 +173,8 @@ impl CheckHandle {
 impl CheckHandle {
     /// The document, with what is known of the file.
     fn document(&self, limit: usize) -> CheckDocument {
-        let mut document = CheckDocument::new(CheckReport::clone(&self.report), limit);
-        if let Some((origin, _)) = &self.origin {
-            document.file = self.mesh().title();
-            document.format = Some(origin.document.variant);
-            document.notes = origin.document.notes.clone();
-        }
-        document
+        let OfFile { file, format, notes } = self.mesh().of_file();
+        CheckDocument { file, format, notes, ..CheckDocument::new(CheckReport::clone(&self.report), limit) }
     }
 }
 
@@ -197,7 +192,7 @@ pub(crate) fn parts_json(
         .map(|(part, check)| (*part, check.as_ref().map(|check| check.get().report.as_ref())))
         .collect();
     let text = py.detach(|| of_parts(origin, &reports, limit.unwrap_or(usize::MAX)));
-    text.map_err(|error| errors::internal(py, &error.to_string(), None))
+    errors::written(py, text)
 }
 
 fn of_parts(

@@ -144,7 +144,7 @@ impl DefectList {
                 serde_json::to_string(&placed.collect::<Vec<_>>())
             }
         };
-        text.map_err(|error| errors::internal(py, &error.to_string(), None))
+        errors::written(py, text)
     }
 }
 

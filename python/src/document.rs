@@ -75,6 +75,6 @@ impl DocumentHandle {
     /// What the reader had to say, as JSON.
     fn notes(&self, py: Python<'_>) -> PyResult<String> {
         let notes = serde_json::to_string(&self.document().notes);
-        notes.map_err(|error| errors::internal(py, &error.to_string(), None))
+        errors::written(py, notes)
     }
 }

@@ -1,5 +1,6 @@
 //! What can go wrong, and the exception of Python that says it.
 
+use std::fmt::Display;
 use std::io;
 
 use meshmend::formats::{Place, ReadErrorKind, WriteErrorKind};
@@ -114,6 +115,11 @@ fn own<'py>(py: Python<'py>, name: &str, arguments: impl pyo3::call::PyCallArgs<
 /// A mistake of meshmend itself: a panic, or a promise that was broken.
 pub(crate) fn internal(py: Python<'_>, message: &str, place: Option<&str>) -> PyErr {
     own(py, "InternalError", (message, place))
+}
+
+/// A document that was written as text: that it can't be is a mistake of meshmend itself.
+pub(crate) fn written<T>(py: Python<'_>, written: Result<T, impl Display>) -> PyResult<T> {
+    written.map_err(|error| internal(py, &error.to_string(), None))
 }
 
 /// The system gives no more of something.

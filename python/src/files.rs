@@ -85,7 +85,7 @@ pub(crate) fn write<'py>(
     })?;
     let (bytes, losses) = errors::raise(py, done)?;
     let losses = serde_json::to_string(&losses);
-    let losses = losses.map_err(|error| errors::internal(py, &error.to_string(), None))?;
+    let losses = errors::written(py, losses)?;
     Ok((bytes.map(|bytes| PyBytes::new(py, &bytes)), losses))
 }
 

@@ -4,13 +4,14 @@ use std::sync::Arc;
 
 use meshmend::formats::Document;
 use meshmend::mesh::{Id, Metadata};
-use meshmend::{PolygonMesh, VertexId};
+use meshmend::{Note, PolygonMesh, VertexId};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::arrays::ids;
+use crate::errors;
 use crate::layers::{self, GivenLayer};
 
 /// The file that a mesh is from.
@@ -20,6 +21,14 @@ pub(crate) struct Origin {
     pub(crate) name: String,
     /// All of it, with the meshes as they were read.
     pub(crate) document: Document,
+}
+
+/// What a document says of the file that its mesh is from, if it is from one.
+#[derive(Default)]
+pub(crate) struct OfFile {
+    pub(crate) file: Option<String>,
+    pub(crate) format: Option<&'static str>,
+    pub(crate) notes: Vec<Note>,
 }
 
 /// A mesh.
@@ -34,6 +43,12 @@ impl MeshHandle {
     /// A mesh that is from no file.
     pub(crate) fn alone(mesh: PolygonMesh) -> MeshHandle {
         MeshHandle { mesh, origin: None }
+    }
+
+    pub(crate) fn of_file(&self) -> OfFile {
+        let Some((origin, _)) = &self.origin else { return OfFile::default() };
+        let document = &origin.document;
+        OfFile { file: self.title(), format: Some(document.variant), notes: document.notes.clone() }
     }
 }
 
@@ -141,8 +156,7 @@ impl MeshHandle {
     /// What the reader had to say, as JSON.
     fn notes(&self, py: Python<'_>) -> PyResult<String> {
         let notes = self.origin.as_ref().map(|(origin, _)| &origin.document.notes[..]);
-        serde_json::to_string(notes.unwrap_or_default())
-            .map_err(|error| crate::errors::internal(py, &error.to_string(), None))
+        errors::written(py, serde_json::to_string(notes.unwrap_or_default()))
     }
 }
 

@@ -52,7 +52,7 @@ impl PlanHandle {
 
     fn to_toml(&self, py: Python<'_>) -> PyResult<String> {
         let text = self.plan.to_toml();
-        text.map_err(|error| errors::internal(py, &error.to_string(), None))
+        errors::written(py, text)
     }
 
     /// How vertices are written whose attributes differ from face to face, if the plan says it.

@@ -107,7 +107,7 @@ impl RecordHandle {
         let maps = if with_maps { Maps::Whole } else { Maps::LeftOut };
         let record = self.record()?;
         let text = py.detach(|| json(&record.document(limit.unwrap_or(usize::MAX), maps)));
-        text.map_err(|error| errors::internal(py, &error.to_string(), None))
+        errors::written(py, text)
     }
 
     /// What the command prints for people.
@@ -130,6 +130,7 @@ fn of_pass(record: &PassRecord) -> PassOfRecord {
     (record.pass.name(), record.is_changed, mended, DefectList::by_kind(record.left.clone()), delta)
 }
 
-fn numbers<I: Id>(sources: &Sources<I>) -> Vec<i32> {
+/// The numbers of the sources of elements, and -1 for those that have none.
+pub(crate) fn numbers<I: Id>(sources: &Sources<I>) -> Vec<i32> {
     sources.iter().map(|(_, old)| old.map_or(NONE, |old| id(old.index()))).collect()
 }

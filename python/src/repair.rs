@@ -221,7 +221,7 @@ impl RepairHandle {
             Mended::Mesh(part) => json(&part.record().document(limit, maps)),
             Mended::File(file) => file.report_json_within(limit, maps),
         });
-        text.map_err(|error| errors::internal(py, &error.to_string(), None))
+        errors::written(py, text)
     }
 
     /// What the command prints for people.

@@ -3,7 +3,6 @@
 use std::num::NonZeroU32;
 
 use meshmend::cutting::CutAlong;
-use meshmend::mesh::Id;
 use meshmend::report::{CutDocument, LoopsDocument, json};
 use meshmend::shapes::{NAMED_SHAPES, NamedShape, Sizes};
 use meshmend::topology::{CoTree, Measure, Roots};
@@ -12,10 +11,10 @@ use meshmend_cli::text;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
-use crate::arrays::{NONE, id};
 use crate::errors::{self, Done, Problem};
 use crate::how::How;
-use crate::mesh::{MeshHandle, Origin};
+use crate::mesh::{MeshHandle, OfFile, Origin};
+use crate::record::numbers;
 use crate::words;
 
 /// How to look for paths, and in which view of the mesh.
@@ -161,7 +160,7 @@ impl LoopsHandle {
     /// The document of the command, with at most so many components.
     fn json(&self, py: Python<'_>, limit: Option<usize>) -> PyResult<String> {
         let text = py.detach(|| json(&self.document(limit.unwrap_or(usize::MAX))));
-        text.map_err(|error| errors::internal(py, &error.to_string(), None))
+        errors::written(py, text)
     }
 
     /// What the command prints for people.
@@ -172,13 +171,8 @@ impl LoopsHandle {
 
 impl LoopsHandle {
     fn document(&self, limit: usize) -> LoopsDocument {
-        let mut document = LoopsDocument::new(&self.report, limit);
-        if let Some((origin, _)) = &self.origin {
-            document.file = self.mesh().title();
-            document.format = Some(origin.document.variant);
-            document.notes = origin.document.notes.clone();
-        }
-        document
+        let OfFile { file, format, notes } = self.mesh().of_file();
+        LoopsDocument { file, format, notes, ..LoopsDocument::new(&self.report, limit) }
     }
 }
 
@@ -192,14 +186,13 @@ impl CutHandle {
     /// Of each vertex now that before, or -1; and how many there were.
     fn sources<'py>(&self, py: Python<'py>) -> (Bound<'py, PyArray1<i32>>, usize) {
         let provenance = &self.report.discs.provenance;
-        let sources = provenance.vertices.iter().map(|(_, old)| old.map_or(NONE, |old| id(old.index())));
-        (sources.collect::<Vec<i32>>().into_pyarray(py), provenance.before.vertices)
+        (numbers(&provenance.vertices).into_pyarray(py), provenance.before.vertices)
     }
 
     /// The document of the command, with at most so many items in each list.
     fn json(&self, py: Python<'_>, limit: Option<usize>) -> PyResult<String> {
         let text = py.detach(|| json(&self.document(limit.unwrap_or(usize::MAX))));
-        text.map_err(|error| errors::internal(py, &error.to_string(), None))
+        errors::written(py, text)
     }
 
     /// What the command prints for people.
@@ -210,11 +203,7 @@ impl CutHandle {
 
 impl CutHandle {
     fn document(&self, limit: usize) -> CutDocument {
-        let mut document = CutDocument::new(&self.report, self.along, limit);
-        if let Some((origin, _)) = &self.origin {
-            document.file = self.mesh().title();
-            document.notes = origin.document.notes.clone();
-        }
-        document
+        let OfFile { file, notes, .. } = self.mesh().of_file();
+        CutDocument { file, notes, ..CutDocument::new(&self.report, self.along, limit) }
     }
 }
