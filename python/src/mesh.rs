@@ -4,13 +4,16 @@ use std::sync::Arc;
 
 use meshmend::formats::Document;
 use meshmend::mesh::{Id, Metadata};
-use meshmend::{Note, PolygonMesh, VertexId};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use meshmend::{FaceTable, Note, PolygonMesh, VertexId};
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
+    PyReadwriteArray1,
+};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::arrays::ids;
+use crate::arrays::{id, ids};
 use crate::errors;
 use crate::layers::{self, GivenLayer};
 
@@ -52,16 +55,47 @@ impl MeshHandle {
     }
 }
 
+/// Whole numbers in the type in which they came.
+#[derive(FromPyObject)]
+pub(crate) enum Numbers<'py> {
+    I32(PyReadonlyArrayDyn<'py, i32>),
+    U32(PyReadonlyArrayDyn<'py, u32>),
+    I64(PyReadonlyArrayDyn<'py, i64>),
+    U64(PyReadonlyArrayDyn<'py, u64>),
+}
+
+/// An array to be filled: numpy has made it in the type that is wanted.
+#[derive(FromPyObject)]
+pub(crate) enum Room<'py> {
+    I32(PyReadwriteArray1<'py, i32>),
+    I64(PyReadwriteArray1<'py, i64>),
+}
+
+impl Numbers<'_> {
+    /// Them as vertices; what is no number of one is that of none.
+    fn vertices(&self) -> PyResult<Vec<VertexId>> {
+        fn of<T: Copy + TryInto<u32>>(numbers: &[T]) -> Vec<VertexId> {
+            numbers.iter().map(|&number| VertexId(number.try_into().unwrap_or(u32::MAX))).collect()
+        }
+        Ok(match self {
+            Numbers::I32(numbers) => of(numbers.as_slice()?),
+            Numbers::U32(numbers) => of(numbers.as_slice()?),
+            Numbers::I64(numbers) => of(numbers.as_slice()?),
+            Numbers::U64(numbers) => of(numbers.as_slice()?),
+        })
+    }
+}
+
 type Pairs<'py> = Bound<'py, PyArray2<i32>>;
 
 #[pymethods]
 impl MeshHandle {
-    /// A mesh of arrays, whose numbers the Python side has looked at.
+    /// A mesh of arrays, whose numbers the Python side has looked at; without starts its faces are triangles.
     #[new]
     fn of_arrays(
         points: PyReadonlyArray2<'_, f64>,
-        corners: PyReadonlyArray1<'_, u32>,
-        starts: PyReadonlyArray1<'_, u32>,
+        corners: Numbers<'_>,
+        starts: Option<PyReadonlyArray1<'_, u32>>,
         loose: (PyReadonlyArray2<'_, u32>, PyReadonlyArray1<'_, u32>),
         layers: Vec<GivenLayer<'_>>,
         metadata: Vec<(String, Vec<u8>)>,
@@ -71,7 +105,13 @@ impl MeshHandle {
             return Err(PyValueError::new_err("a point has three coordinates"));
         }
         let of_faces = |error: &dyn std::fmt::Display| PyIndexError::new_err(error.to_string());
-        let mesh = PolygonMesh::from_polygons(points, corners.as_slice()?, starts.as_slice()?)
+        let faces = match starts {
+            Some(starts) => {
+                FaceTable::polygons(points.len(), starts.as_slice()?.to_vec(), corners.vertices()?)
+            }
+            None => FaceTable::triangles(points.len(), corners.vertices()?),
+        };
+        let mesh = PolygonMesh::new(points.to_vec(), faces.map_err(|error| of_faces(&error))?)
             .map_err(|error| of_faces(&error))?;
         let (ends, _) = loose.0.as_slice()?.as_chunks::<2>();
         let edges = ends.iter().map(|ends| ends.map(VertexId)).collect();
@@ -88,15 +128,21 @@ impl MeshHandle {
         flat.reshape([self.mesh.positions().len(), 3])
     }
 
-    fn corners<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
-        ids(self.mesh.faces().corner_vertices()).into_pyarray(py)
+    /// Fills an array with the vertex of each corner.
+    fn corners(&self, room: Room<'_>) -> PyResult<()> {
+        let corners = self.mesh.faces().corner_vertices();
+        match room {
+            Room::I32(mut room) => fill(room.as_slice_mut()?, corners, |vertex| id(vertex.index())),
+            Room::I64(mut room) => fill(room.as_slice_mut()?, corners, |vertex| i64::from(vertex.0)),
+        }
+        Ok(())
     }
 
     /// Where the corners of each face begin, and one more.
     fn offsets<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
         let faces = self.mesh.faces();
         let starts = faces.faces().map(|face| faces.corner_range(face).start);
-        let starts = starts.chain([faces.corner_count()]).map(crate::arrays::id);
+        let starts = starts.chain([faces.corner_count()]).map(id);
         starts.collect::<Vec<i32>>().into_pyarray(py)
     }
 
@@ -158,6 +204,10 @@ impl MeshHandle {
         let notes = self.origin.as_ref().map(|(origin, _)| &origin.document.notes[..]);
         errors::written(py, serde_json::to_string(notes.unwrap_or_default()))
     }
+}
+
+fn fill<T>(room: &mut [T], corners: &[VertexId], of: impl Fn(VertexId) -> T) {
+    room.iter_mut().zip(corners).for_each(|(place, &vertex)| *place = of(vertex));
 }
 
 fn pairs<'py, I: Id>(py: Python<'py>, all: &[[I; 2]]) -> PyResult<Pairs<'py>> {

@@ -79,8 +79,11 @@ def test_layouts_of_memory_do_not_matter(tetrahedron):
         array.flags.writeable = False
     wide = np.zeros((4, 6)), np.zeros((8, 3), dtype=np.int64)
     wide[0][:, ::2], wide[1][::2] = vertices, faces
+    odd = [np.frombuffer(b"?" + array.tobytes(), dtype=array.dtype, offset=1).reshape(-1, 3) for array in (vertices, faces)]
+    assert not any(array.flags.aligned for array in odd)
     for points, rows in [
         fixed,
+        odd,
         (np.asfortranarray(vertices), np.asfortranarray(faces)),
         (wide[0][:, ::2], wide[1][::2]),
         (vertices.tolist(), faces.tolist()),

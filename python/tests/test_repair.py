@@ -30,6 +30,18 @@ def test_arrays_come_out_in_the_types_that_came_in(book):
     assert mm.mend(vertices, faces, split="off")[0].shape == (5, 3)
 
 
+@pytest.mark.parametrize("size", [3, 4])
+@pytest.mark.parametrize("integers", [np.int32, np.int64, np.uint32])
+def test_arrays_that_come_out_are_those_of_who_asked(size, integers):
+    vertices, rows = np.eye(4, 3), np.arange(size, dtype=integers).reshape(1, size)
+    given = vertices.copy(), rows.copy()
+    for faces in (rows, (rows.ravel(), np.array([0, size], dtype=integers))):
+        points, mended = mm.mend(vertices, faces)
+        for array in (points, *(mended if isinstance(mended, tuple) else [mended])):
+            array[...] = 0
+        assert np.array_equal(vertices, given[0]) and np.array_equal(rows, given[1])
+
+
 def test_created_vertices_are_rounded_with_a_warning():
     # A pentagon whose only triangulation without a new vertex would repeat an edge that is there already.
     spots = np.random.default_rng(3).random((12, 3)).astype(np.float32)

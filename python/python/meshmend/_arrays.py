@@ -1,4 +1,4 @@
-"""Arrays that come in, each copied and looked at: what is wrong is named by row and column."""
+"""Arrays that come in, each looked at, and copied by the core: what is wrong is named by row and column."""
 
 from __future__ import annotations
 
@@ -27,25 +27,28 @@ def points(values: ArrayLike) -> NDArray[np.float64]:
         raise ValueError(f"vertices has {len(given)} rows: a mesh holds fewer than {MOST}")
     if given.dtype.kind in "iu" and given.size and max(int(given.max()), -int(given.min())) > 2**53:
         raise ValueError("vertices has whole numbers beyond 2**53, which a double can't hold exactly")
-    return np.array(given, dtype=np.float64, order="C", copy=True)
+    return np.require(given, np.float64, "CA")
 
 
-def faces(values: Any, vertices: int, pad: int | None) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-    """Faces as the vertices of all corners, and where each face begins."""
+def faces(values: Any, vertices: int, pad: int | None) -> tuple[NDArray[Any], NDArray[np.uint32] | None]:
+    """Faces as the vertices of all corners, and where each face begins; None for rows of three.
+
+    In rows of one size they are looked at by the core alone, as it copies them.
+    """
     if isinstance(values, tuple) and len(values) == 2 and pad is None:
         return _flat(values, vertices)
     if not isinstance(values, np.ndarray) and _is_ragged(values):
         return _lists(values, vertices)
-    given = _indices("faces", values)
+    given = _whole("faces", values)
     if given.size == 0 and given.ndim == 1:
         given = given.reshape(0, 3)
     if given.ndim != 2:
         raise ValueError(f"faces has the shape {given.shape}: it has a row of vertices for each face, (m, k)")
     if pad is not None:
-        return _padded(given, vertices, pad)
-    checked(given, vertices, "faces")
-    starts = np.arange(len(given) + 1, dtype=np.int64) * given.shape[1]
-    return given.reshape(-1).astype(np.uint32), starts.astype(np.uint32)
+        return _padded(np.array(given), vertices, pad)
+    starts = None if given.shape[1] == 3 else np.arange(len(given) + 1, dtype=np.uint32) * np.uint32(given.shape[1])
+    held = given.dtype.newbyteorder("=") if given.dtype.itemsize >= 4 else np.dtype(np.int32)
+    return np.require(given, held, "CA"), starts
 
 
 def pairs(name: str, values: ArrayLike | None, vertices: int) -> NDArray[np.uint32]:
@@ -150,6 +153,10 @@ def _numbers(name: str, values: ArrayLike) -> NDArray[Any]:
 
 def _indices(name: str, values: ArrayLike) -> NDArray[Any]:
     """A copy of whole numbers: another thread can't change it any more."""
+    return np.array(_whole(name, values), order="C", copy=True)
+
+
+def _whole(name: str, values: ArrayLike) -> NDArray[Any]:
     given = np.asarray(values)
     if given.size >= MOST:
         raise ValueError(f"{name} has {given.size} corners: a mesh holds fewer than {MOST}")
@@ -157,7 +164,7 @@ def _indices(name: str, values: ArrayLike) -> NDArray[Any]:
         return np.zeros(given.shape, dtype=np.int64)
     if given.dtype.kind not in "iu":
         raise TypeError(f"{name} has the type {given.dtype}: it has whole numbers, each that of a vertex")
-    return np.array(given, order="C", copy=True)
+    return given
 
 
 def _is_ragged(values: Any) -> bool:

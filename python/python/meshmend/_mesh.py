@@ -49,10 +49,14 @@ class Mesh:
         )
         layers = [
             *_arrays.layers("vertex", vertex_attributes, len(points)),
-            *_arrays.layers("face", face_attributes, len(starts) - 1),
-            *_arrays.layers("corner", corner_attributes, len(corners)),
+            *_arrays.layers("face", face_attributes, len(corners) if starts is None else len(starts) - 1),
+            *_arrays.layers("corner", corner_attributes, corners.size),
         ]
-        self._be(_native.MeshHandle(points, corners, starts, loose, layers, []), (), None)
+        try:
+            self._be(_native.MeshHandle(points, corners, starts, loose, layers, []), (), None)
+        except IndexError:
+            _arrays.checked(corners, len(points), "faces")
+            raise
 
     @classmethod
     def of(cls, thing: object) -> Mesh:
@@ -80,7 +84,7 @@ class Mesh:
     @property
     def corners(self) -> Ids:
         """The vertex of each corner, face after face."""
-        return self._once("corners", self._handle.corners)
+        return self._once("corners", lambda: corners_of(self._handle))
 
     @property
     def offsets(self) -> Ids:
@@ -238,6 +242,8 @@ class Mesh:
         return attributes
 
     def _rows(self) -> Ids:
+        if self.is_triangles:
+            return self.corners.reshape(-1, 3)
         lengths = np.diff(self.offsets)
         size = int(lengths[0]) if len(lengths) else 3
         if not (lengths == size).all():
@@ -251,6 +257,13 @@ class Mesh:
             array.flags.writeable = False
             self._cache.setdefault(name, array)
         return self._cache[name]
+
+
+def corners_of(handle: Any, wanted: type[np.int32 | np.int64] = np.int32) -> NDArray[Any]:
+    """The vertex of each corner of the mesh of a handle."""
+    corners = np.empty(handle.counts()[2], dtype=wanted)
+    handle.corners(corners)
+    return corners
 
 
 def mesh_with(handle: Any, notes: Sequence[Note] = (), form: str | None = None) -> Mesh:

@@ -17,7 +17,7 @@ from ._defects import Defects, by_kind
 from ._document import Document
 from ._errors import DefectError
 from ._files import read_document, is_file, warned, write_words
-from ._mesh import Mesh, mesh_as_read
+from ._mesh import Mesh, corners_of, mesh_as_read
 from ._notes import Loss
 from ._plan import Plan, said, text_of
 from ._progress import watched
@@ -196,7 +196,7 @@ class Repair:
         corners, _ = record.sources("corners")
 
         def further() -> NDArray[np.int64]:
-            return by_corners(corners, record.stored().corners(), self.mesh.corners)
+            return by_corners(corners, corners_of(record.stored()), self.mesh.corners)
 
         return Relation._of("vertex", *record.sources("vertices"), further)
 
@@ -264,12 +264,16 @@ def repair(
 def mend(vertices: ArrayLike, faces: Any, **policies: Any) -> tuple[NDArray[Any], Any]:
     """Arrays in, arrays out, in the types that came in. The keywords are those of `repair`."""
     mended = repair(Mesh(vertices, faces), report=False, **policies)
-    sources, _ = mended._record().sources("vertices")
-    points = _of_type(mended.mesh.vertices, np.asarray(vertices).dtype, sources < 0)
+    record = mended._record()
+    # Of the handle: its arrays are made for who asks, and are nobody else's.
+    handle = record.mesh()
+    points = _of_type(handle.vertices(), np.asarray(vertices).dtype, record)
     if isinstance(faces, tuple) and len(faces) == 2:
         corners, offsets = (np.asarray(array).dtype for array in faces)
-        return points, (_ids_of_type(mended.mesh.corners, corners), _ids_of_type(mended.mesh.offsets, offsets))
-    return points, _ids_of_type(mended.mesh.faces, _row_type(faces))
+        return points, (_corners_of_type(handle, corners), _ids_of_type(handle.offsets(), offsets))
+    if not handle.is_triangles():
+        return points, _ids_of_type(np.array(mended.mesh.faces), _row_type(faces))
+    return points, _corners_of_type(handle, _row_type(faces)).reshape(-1, 3)
 
 
 def _planned(plan: Plan | str | os.PathLike[str] | None, preset: str | None) -> Plan | None:
@@ -307,12 +311,14 @@ def _pass(record: Any) -> PassRecord:
     return PassRecord(name, changed, by_kind(mended), by_kind(left), changes)
 
 
-def _of_type(points: NDArray[np.float64], wanted: np.dtype[Any], is_created: NDArray[np.bool_]) -> NDArray[Any]:
+def _of_type(points: NDArray[np.float64], wanted: np.dtype[Any], record: Any) -> NDArray[Any]:
     """Positions in the type that came in. Only those of created vertices can be rounded by it."""
     if not np.issubdtype(wanted, np.floating):
         whole = points.astype(wanted) if np.issubdtype(wanted, np.integer) and np.isfinite(points).all() else points
         return np.array(whole if np.array_equal(whole, points) else points)
-    given = points.astype(wanted)
+    if wanted == points.dtype:
+        return points
+    given, is_created = points.astype(wanted), record.sources("vertices")[0] < 0
     rounded = int((given[is_created].astype(np.float64) != points[is_created]).any(axis=1).sum())
     if rounded:
         message = f"the positions of {rounded} created vertices are rounded to {wanted}"
@@ -320,10 +326,14 @@ def _of_type(points: NDArray[np.float64], wanted: np.dtype[Any], is_created: NDA
     return given
 
 
+def _corners_of_type(handle: Any, wanted: np.dtype[Any]) -> NDArray[Any]:
+    return corners_of(handle, np.int64) if wanted == np.int64 else _ids_of_type(corners_of(handle), wanted)
+
+
 def _ids_of_type(ids: Ids, wanted: np.dtype[Any]) -> NDArray[Any]:
     """Ids in the type that came in, or in a wider one where they don't fit."""
-    if len(ids) == 0 or int(ids.max()) <= np.iinfo(wanted).max:
-        return ids.astype(wanted)
+    if np.can_cast(ids.dtype, wanted) or len(ids) == 0 or int(ids.max()) <= np.iinfo(wanted).max:
+        return ids.astype(wanted, copy=False)
     wider = np.result_type(wanted, np.min_scalar_type(int(ids.max())))
     warned("faces", [Loss("integers", 1, f"{wanted} is too narrow for {int(ids.max()) + 1} ids: they are {wider}")])
     return ids.astype(wider)
