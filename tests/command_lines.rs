@@ -20,6 +20,8 @@ fn good(argument: &Arg) -> (String, bool) {
         ("name", _) => ("weld", true),
         ("report", _) => ("new.json", true),
         (_, "OUT") => ("new.ply", true),
+        (_, "PAGE") => ("new.html", true),
+        (_, "TITLE") => ("a page", true),
         (_, "PICTURE" | "OUT.svg") => ("new.svg", true),
         ("maps", _) => ("maps.npz", true),
         (_, "PROCESS") => ("1", false),

@@ -73,11 +73,14 @@ fn assert_files_whole(status: Status, request: Option<&Request>, room: &Room) {
     }
 }
 
-/// A picture begins and ends as it must, a matrix has its entries, a mesh can be read.
+/// A picture or a page begins and ends as it must, a matrix has its entries, a mesh can be read.
 fn assert_whole(name: &str, bytes: &[u8], format: Option<Format>) {
     let end = bytes.trim_ascii_end();
     if bytes.starts_with(b"\x89PNG") {
         return assert!(bytes.ends_with(b"IEND\xae\x42\x60\x82"), "{name} is cut off");
+    }
+    if bytes.starts_with(b"<!doctype html>") {
+        return assert!(end.ends_with(b"</html>"), "{name} is cut off");
     }
     if bytes.starts_with(b"<") {
         return assert!(end.ends_with(b"</svg>"), "{name} is cut off");

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The names that a command line can name. Some are not there before it runs.
-pub(crate) const NAMES: [&str; 18] = [
+pub(crate) const NAMES: [&str; 19] = [
     "good.obj",
     "broken.obj",
     "moebius.off",
@@ -24,6 +24,7 @@ pub(crate) const NAMES: [&str; 18] = [
     "mesh",
     "nowhere/new.obj",
     "new.mtx",
+    "new.html",
 ];
 
 const GOOD: &[u8] = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl wood\nf 1 2 3\nf 1 3 4\n";

@@ -14,6 +14,8 @@ mod geometry_words;
 mod jobs;
 mod output_words;
 mod outputs;
+#[cfg(feature = "report")]
+mod pages;
 mod parts;
 mod policies;
 mod progress;
@@ -141,8 +143,10 @@ impl Program {
 
     fn description(&self) -> clap::Command {
         let with_options = |repair| policies::with_options(repair, self.passes);
+        let report = cfg!(feature = "report").then_some("report");
         ["repair", "worker", "batch"]
             .into_iter()
+            .chain(report)
             .fold(CommandLine::command(), |line, command| line.mut_subcommand(command, with_options))
     }
 }

@@ -34,11 +34,16 @@ pub(crate) struct RepairWords {
 impl RepairWords {
     /// The repair that they say. What is wrong with the command line is told before anything is read.
     pub(crate) fn repair(&self, rules: Rules) -> Result<FileRepair, Failure> {
+        self.repair_showing(FileRepair::default().limit, rules)
+    }
+
+    /// The same, with lists of another length unless these words or the plan tell it.
+    pub(crate) fn repair_showing(&self, usual_limit: usize, rules: Rules) -> Result<FileRepair, Failure> {
         let mut repair = FileRepair::of(self.policies.plan()?);
         repair.cut_polygons = self.policies.cut_polygons();
         repair.kernel = words::kernel(&self.kernel)?;
         repair.rules = rules;
-        repair.limit = self.limit.or(repair.plan.files.limit).unwrap_or(repair.limit);
+        repair.limit = self.limit.or(repair.plan.files.limit).unwrap_or(usual_limit);
         repair.gate = self.gate.gate(rules, &repair.plan.files.fail_on)?;
         repair.geometry = self.geometry.options(&repair.gate.defects(), usize::MAX)?;
         repair.maps = if self.report_maps { Maps::Whole } else { Maps::LeftOut };

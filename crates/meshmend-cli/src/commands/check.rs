@@ -10,6 +10,9 @@ use meshmend::report::{CheckDocument, Listing, PartsDocument, Sarif, json, placi
 use meshmend::topology::Witness;
 use meshmend::{CheckOptions, CheckReport, DefectKind, View, check, check_by_name};
 
+#[cfg(feature = "report")]
+use meshmend_report::EntryOptions;
+
 use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -20,6 +23,11 @@ use crate::parts::{PartWords, PlacingWord};
 use crate::render;
 use crate::streams::{InputWords, as_one_mesh, is_stream, name};
 use crate::words::{self, Welding};
+#[cfg(feature = "report")]
+use crate::{
+    outputs::{Content, Files},
+    pages::{self, PageFile, USUAL_LIMIT},
+};
 
 /// Tell what meshes are, and what is wrong with them and where
 ///
@@ -56,6 +64,10 @@ pub(crate) struct Check {
     /// Print one SARIF document on all files, with a result for each item that is listed
     #[arg(long, conflicts_with_all = ["json", "table"])]
     sarif: bool,
+    /// Also write a page on the files with the meshes in 3D, as `report --check-only` does
+    #[cfg(feature = "report")]
+    #[arg(long, value_name = "PAGE", conflicts_with = "by")]
+    html: Option<PathBuf>,
     /// How many items each list shows at most, also in JSON; counts are always whole
     #[arg(long, value_name = "N", default_value_t = 10)]
     limit: usize,
@@ -93,6 +105,8 @@ impl Check {
         let geometry = self.geometry.options(&fail_on, self.limit)?;
         let options = options.with_geometry(geometry);
         let asked = Asked { options, fail_on };
+        #[cfg(feature = "report")]
+        let mut page = self.page(program)?;
         let (mut status, mut rows, mut sarif) = (Status::Done, Vec::new(), Sarif::default());
         for (place, file) in self.files.iter().enumerate() {
             if console.is_closed() {
@@ -101,6 +115,10 @@ impl Check {
             match self.check_file(file, &asked, console) {
                 Ok(checked) => {
                     status = status.and(checked.status);
+                    #[cfg(feature = "report")]
+                    if let Some(page) = &mut page {
+                        self.add_to_page(file, &checked, &asked, page)?;
+                    }
                     if self.table {
                         rows.extend(checked.into_reports());
                         continue;
@@ -117,9 +135,17 @@ impl Check {
                 Err(failure) => {
                     console.complain(&failure);
                     sarif.add_failure(&failure.message);
+                    #[cfg(feature = "report")]
+                    if let Some(page) = &mut page {
+                        page.add_failure(file, &failure);
+                    }
                     status = status.and(failure.status);
                 }
             }
+        }
+        #[cfg(feature = "report")]
+        if let Some((page, path)) = page.zip(self.html.as_deref()) {
+            page.write(path, console)?;
         }
         if self.sarif {
             console.write(&json_line(&sarif.document(program.rules))?)?;
@@ -128,6 +154,43 @@ impl Check {
             console.write(&render::paper_tables(&rows, console.style()))?;
         }
         Ok(status)
+    }
+
+    /// The page that was asked for. What is wrong with its name is told before anything is read.
+    #[cfg(feature = "report")]
+    fn page(&self, program: &Program) -> Result<Option<PageFile>, Failure> {
+        let Some(path) = &self.html else { return Ok(None) };
+        if is_stream(path) {
+            return Err(Failure::usage(
+                "--html writes a file; `report --check-only -o -` writes to standard output",
+            ));
+        }
+        let files = self
+            .files
+            .iter()
+            .fold(Files::default(), |files, file| files.reading("the input", Some(file), Content::Mesh));
+        files.writing("--html", Some(path), Content::Report).check()?;
+        Ok(Some(PageFile::of(&pages::title(None, &self.files), program.rules, EntryOptions::default())))
+    }
+
+    /// Puts a file into the page. It is looked at again, as lists and checks of a page are longer than those that are printed.
+    #[cfg(feature = "report")]
+    fn add_to_page(
+        &self,
+        file: &Path,
+        checked: &CheckedFile,
+        asked: &Asked,
+        page: &mut PageFile,
+    ) -> Result<(), Failure> {
+        let document = &checked.document;
+        for (number, _) in &checked.reports {
+            let part = &document.parts[*number];
+            let usual = View::usual_for_part(document.format, part);
+            let options = asked.options.clone().with_view(self.weld.map_or(usual, Welding::view));
+            let limit = self.limit.max(USUAL_LIMIT);
+            page.add_part((file, document, *number), &options, &asked.failing_kinds(part), limit)?;
+        }
+        Ok(())
     }
 
     /// The reports on the parts of one file, and whether they fail.

@@ -12,7 +12,7 @@ mod explain;
 mod flatten;
 mod incremental;
 mod kernels;
-#[cfg(not(all(feature = "flatten", feature = "render", feature = "completions")))]
+#[cfg(not(all(feature = "flatten", feature = "render", feature = "report", feature = "completions")))]
 mod left_out;
 mod loops;
 mod make;
@@ -24,6 +24,8 @@ mod preset;
 #[cfg(feature = "render")]
 mod render;
 mod repair;
+#[cfg(feature = "report")]
+mod report;
 mod worker;
 
 pub(crate) use check::{CheckedFile, json_line};
@@ -54,6 +56,11 @@ pub(crate) enum Command {
     /// Draw a mesh and what is wrong with it (left out of this build)
     #[cfg(not(feature = "render"))]
     Render(left_out::LeftOut),
+    #[cfg(feature = "report")]
+    Report(Box<report::Report>),
+    /// Write a page on meshes, with the meshes in 3D (left out of this build)
+    #[cfg(not(feature = "report"))]
+    Report(left_out::LeftOut),
     Incremental(incremental::Incremental),
     Matrix(Box<matrix::Matrix>),
     #[cfg(feature = "flatten")]
@@ -87,6 +94,10 @@ impl Command {
             Command::Render(command) => slice::from_ref(&command.input),
             #[cfg(not(feature = "render"))]
             Command::Render(_) => &[],
+            #[cfg(feature = "report")]
+            Command::Report(command) => &command.files,
+            #[cfg(not(feature = "report"))]
+            Command::Report(_) => &[],
             Command::Incremental(command) => slice::from_ref(&command.file),
             Command::Matrix(command) => slice::from_ref(&command.file),
             #[cfg(feature = "flatten")]
@@ -109,6 +120,8 @@ impl Command {
         let Some((_, matches)) = matches.subcommand() else { return };
         let words = match self {
             Command::Repair(command) => &mut command.words,
+            #[cfg(feature = "report")]
+            Command::Report(command) => &mut command.words,
             Command::Worker(command) => &mut command.words,
             Command::Batch(command) => return command.take(matches, passes),
             _ => return,
@@ -131,6 +144,10 @@ impl Command {
             Command::Render(command) => command.run(console),
             #[cfg(not(feature = "render"))]
             Command::Render(command) => command.run("render"),
+            #[cfg(feature = "report")]
+            Command::Report(command) => command.run(program, console),
+            #[cfg(not(feature = "report"))]
+            Command::Report(command) => command.run("report"),
             Command::Incremental(command) => command.run(console),
             Command::Matrix(command) => command.run(console),
             #[cfg(feature = "flatten")]

@@ -57,19 +57,23 @@ pub(super) fn encode(bytes: &[u8]) -> String {
 }
 
 /// Writes bytes as text in base 64.
-pub(super) struct Base64<'a> {
+pub struct Base64<'a> {
     out: &'a mut dyn Write,
     /// Up to two bytes that wait for a third one.
     rest: Vec<u8>,
 }
 
 impl<'a> Base64<'a> {
-    pub(super) fn new(out: &'a mut dyn Write) -> Self {
+    /// Text that goes to a sink.
+    pub fn new(out: &'a mut dyn Write) -> Self {
         Base64 { out, rest: Vec::new() }
     }
 
     /// Writes the last digits.
-    pub(super) fn finish(self) -> io::Result<()> {
+    ///
+    /// # Errors
+    /// If the sink can't take them.
+    pub fn finish(self) -> io::Result<()> {
         let digits = four_digits([0, 1, 2].map(|at| self.rest.get(at).copied().unwrap_or(0)));
         match self.rest.len() {
             0 => Ok(()),

@@ -2,7 +2,7 @@
 
 mod accessor;
 mod asset;
-mod base64;
+pub(crate) mod base64;
 mod bounds;
 mod buffers;
 mod container;
