@@ -15,6 +15,8 @@ import { Toolbar } from "./toolbar.js";
 import { Seen, View } from "./view.js";
 
 const page = JSON.parse(document.getElementById("data")!.textContent!) as PageData;
+/** From so many faces on a mesh is drawn plainly, so that it turns where there is no graphics card. */
+const LARGE = 300_000;
 const several = page.entries.length > 1;
 
 class Report {
@@ -56,7 +58,7 @@ class Report {
       { name: "repair", title: "Repair", panel: this.repair },
       { name: "topology", title: "Topology", panel: this.topology },
     ]);
-    this.view = webgl(this.canvas);
+    this.view = webgl(this.canvas, page.entries.some(entry => (entry.before?.mesh.faces ?? 0) > LARGE));
     this.toolbar = this.view === null ? null : new Toolbar(this.view, () => this.modeChanged());
     if (this.view !== null) this.control(this.view);
     this.stage.append(this.canvas, this.border, this.info);
@@ -268,8 +270,8 @@ class Report {
   }
 }
 
-function webgl(canvas: HTMLCanvasElement): View | null {
-  try { return new View(canvas); } catch { return null; }
+function webgl(canvas: HTMLCanvasElement, isLarge: boolean): View | null {
+  try { return new View(canvas, isLarge); } catch { return null; }
 }
 
 async function copyText(text: string): Promise<boolean> {

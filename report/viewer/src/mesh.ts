@@ -151,8 +151,8 @@ function triangulated(mesh: Mesh): { vertices: Uint32Array; faces: Uint32Array }
   const grown = { vertices: vertices as Uint32Array, faces };
   for (let f = 0; f < mesh.shownFaces; f++) {
     const face = mesh.face(f);
-    if (face.length < 3 || !face.every(v => mesh.isFinite(v))) continue;
-    const cut = face.length === 3 ? face : polygonCut(mesh, face);
+    if (face.length < 3 || !areFinite(mesh, face)) continue;
+    const cut = face.length === 3 ? face : face.length === 4 ? quadCut(mesh, face) : polygonCut(mesh, face);
     for (let i = 0; i + 2 < cut.length; i += 3) {
       if (count >= grown.faces.length) {
         const [v, t] = [new Uint32Array(6 * count + 6), new Uint32Array(2 * count + 2)];
@@ -163,6 +163,23 @@ function triangulated(mesh: Mesh): { vertices: Uint32Array; faces: Uint32Array }
     }
   }
   return { vertices: grown.vertices.subarray(0, total), faces: grown.faces.subarray(0, count) };
+}
+
+function areFinite(mesh: Mesh, face: Uint32Array): boolean {
+  for (let i = 0; i < face.length; i++) if (!mesh.isFinite(face[i])) return false;
+  return true;
+}
+
+/** Two triangles of a quad, along the diagonal on whose sides both look the same way. */
+function quadCut(mesh: Mesh, [a, b, c, d]: Uint32Array): number[] {
+  const p = mesh.positions;
+  const [x, y, z] = [3 * a, 3 * a + 1, 3 * a + 2];
+  const [bx, by, bz] = [p[3 * b] - p[x], p[3 * b + 1] - p[y], p[3 * b + 2] - p[z]];
+  const [cx, cy, cz] = [p[3 * c] - p[x], p[3 * c + 1] - p[y], p[3 * c + 2] - p[z]];
+  const [dx, dy, dz] = [p[3 * d] - p[x], p[3 * d + 1] - p[y], p[3 * d + 2] - p[z]];
+  const agree = (by * cz - bz * cy) * (cy * dz - cz * dy) + (bz * cx - bx * cz) * (cz * dx - cx * dz) +
+    (bx * cy - by * cx) * (cx * dy - cy * dx);
+  return agree >= 0 ? [a, b, c, a, c, d] : [a, b, d, b, c, d];
 }
 
 /** Triangles of a polygon: ears in the plane of its area vector, a fan where there are none. */

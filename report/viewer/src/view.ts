@@ -29,15 +29,18 @@ export class View {
   private readonly stages = new Map<StateName, Stage>();
   private readonly plane = new Plane(new Vector3(-1, 0, 0), Infinity);
   private isWaiting = false;
+  private size = "";
   private radius = 1;
   /** How often the view was drawn; tests wait for it. */
   frames = 0;
 
-  constructor(readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: false, preserveDrawingBuffer: true });
+  /** Edges are smoothed where that costs nothing to speak of: not in a mesh that is `large`. */
+  constructor(readonly canvas: HTMLCanvasElement, isLarge: boolean) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isLarge, alpha: false, preserveDrawingBuffer: true });
     this.renderer.localClippingEnabled = true;
     this.renderer.autoClear = false;
-    new ResizeObserver(() => this.resize()).observe(canvas);
+    // Before the browser shows the new size, so that nothing flickers.
+    new ResizeObserver(() => { if (this.frames > 0 && this.resize()) this.drawNow(); }).observe(canvas);
     canvas.addEventListener("webglcontextrestored", () => this.draw());
   }
 
@@ -56,7 +59,6 @@ export class View {
     this.camera.around(bounds, (first?.shape ?? first?.mesh)?.sample() ?? []);
     this.look.edges = (first?.mesh.shownFaces ?? 0) <= 100_000;
     this.mode = states.has("before") ? "before" : "after";
-    this.resize();
     this.camera.fit(this.aspect);
   }
 
@@ -140,6 +142,7 @@ export class View {
     const { renderer } = this;
     const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
     if (width === 0 || height === 0) return;
+    this.resize();
     this.clip();
     const camera = this.camera.place(this.aspect);
     const states: StateName[] = this.mode === "both" ? ["before", "after"] : [this.mode];
@@ -179,13 +182,17 @@ export class View {
     if (stage.marked !== null) dispose(stage.marked);
   }
 
-  private resize(): void {
+  /** Takes over the size of the canvas; gives whether it is another one. */
+  private resize(): boolean {
     const { clientWidth, clientHeight } = this.canvas;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    const ratio = Math.min(2, devicePixelRatio);
+    const size = `${clientWidth} ${clientHeight} ${ratio}`;
+    // A size that is set again throws away what was drawn.
+    if (clientWidth === 0 || clientHeight === 0 || size === this.size) return false;
+    this.size = size;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(clientWidth, clientHeight, false);
-    this.isWaiting = false;
-    this.drawNow();
+    return true;
   }
 }
 
