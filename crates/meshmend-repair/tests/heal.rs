@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test stops where it fails")]
 
-use meshmend_core::{Carry, DefectKind, Domain, Layer, PolygonMesh, Values, Watch};
+use meshmend_core::{Carry, DefectKind, Domain, Layer, PolygonMesh, Values, VertexId, Watch};
 use meshmend_repair::{
     Context, Heal, HealWithin, Outcome, Pass, PassKind, Pipeline, Repaired, TJunctionFate,
 };
@@ -107,6 +107,25 @@ fn near_an_edge_is_on_it_from_a_distance_on() {
     let fine = refused(HealWithin::Absolute(1e-300));
     assert!(fine.contains("can't be resolved by coordinates as large as 8e0"), "{fine}");
     assert!(refused(HealWithin::Absolute(-1.0)).contains("not -1"));
+}
+
+#[test]
+fn of_vertices_in_one_place_the_one_of_the_side_beside_becomes_the_corner() {
+    let points = [[0, 0, 0], [8, 0, 0], [4, 6, 0], [4, 0, 0], [4, -6, 0], [4, 0, 0], [4, 0, 5], [3, 0, 5]];
+    let faces = [[0, 1, 2], [0, 4, 5], [5, 4, 1], [3, 6, 7]];
+    let mesh = PolygonMesh::from_triangles(&points.map(|point| point.map(f64::from)), &faces).unwrap();
+    let outcome = healed(&mesh, HealWithin::Exact);
+    let vertices: Vec<u32> = outcome.mesh.faces().corner_vertices().iter().map(|vertex| vertex.0).collect();
+    assert_eq!(vertices[..4], [0, 5, 1, 2]);
+    assert_eq!(outcome.mesh.positions(), mesh.positions());
+    assert_eq!(boundary_edges(&outcome.mesh), 4 + 3);
+    let [record] = &outcome.t_junctions[..] else { panic!("{:?}", outcome.t_junctions) };
+    assert!(record.to_string().starts_with("v5 on the edge v0-v1 of f0"), "{record}");
+    // Of the two sides beside it each has its own: one of them is taken, and split takes the others apart.
+    let faces = [[0, 1, 2], [0, 4, 5], [3, 4, 1], [6, 7, 5]];
+    let mesh = PolygonMesh::from_triangles(&points.map(|point| point.map(f64::from)), &faces).unwrap();
+    let outcome = healed(&mesh, HealWithin::Exact);
+    assert_eq!(outcome.mesh.faces().corner_vertices()[1], VertexId(3));
 }
 
 #[test]

@@ -13,7 +13,8 @@
 //! healed: faces that are neighbours now may run against each other, and of faces that repeat each other one may go.
 //!
 //! *Promises* that each T-junction is healed or has a reason. *Requires* nothing. *May introduce* what joining sides does:
-//! inconsistent edges, and polygons among triangles, which `triangulate` cuts again. *Cost*: O(n log n + pairs) a round.
+//! inconsistent edges, and polygons among triangles, which `triangulate` cuts again. Where several vertices share a place, as
+//! nothing welded them, sides that meet there may have different ones: pinched vertices, which `split` takes apart. *Cost*: O(n log n + pairs) a round.
 
 use meshmend_core::{
     Blend, CornerId, DefectKind, Draft, FaceId, FaceTableBuilder, PolygonMesh, Provenance, Sources, VertexId,
@@ -78,6 +79,7 @@ impl Pass for Heal {
             DefectKind::DuplicateFace,
             DefectKind::OppositeFace,
             DefectKind::PolygonFace,
+            DefectKind::PinchedVertex,
         ]
     }
 

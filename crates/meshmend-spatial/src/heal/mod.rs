@@ -13,6 +13,7 @@
 //! and has two sides now; no edge gains a third side.
 
 mod chains;
+mod copies;
 mod crowd;
 mod lie;
 mod not_healed;
@@ -32,7 +33,7 @@ use record::{Place, Recorder};
 use round::Round;
 
 /// What becomes of the faces of a mesh whose T-junctions within a distance of at least 0 are healed. Vertices at one
-/// position count as one, the lowest.
+/// position count as one, the lowest; a new corner is the one of them that the sides beside it have.
 ///
 /// # Errors
 /// When whoever watches stops it.
@@ -55,7 +56,10 @@ pub fn heal(mesh: &PolygonMesh, within: f64, watch: &Watch) -> Result<Healed, Ca
         let round = Round::decided(mesh.positions(), &boundary, &on, within);
         match recorder.insert(&place, &boundary, &round) {
             Some(next) => faces = Arc::new(next),
-            None => return Ok(recorder.finished(&place, &boundary, &on, &round)),
+            None => {
+                let shared = welded.is_some().then_some(mesh);
+                return Ok(recorder.finished(shared, &place, &boundary, &on, &round));
+            }
         }
     }
 }

@@ -1,8 +1,9 @@
 //! The faces as they become, and what was put in and left.
 
-use meshmend_core::{Complex, CornerId, FaceId, FaceTable, FaceTableBuilder, Id, VertexId};
+use meshmend_core::{Complex, CornerId, FaceId, FaceTable, FaceTableBuilder, Id, PolygonMesh, VertexId};
 use meshmend_geometry::vector::{Point, dot, minus};
 
+use super::copies::Copies;
 use super::not_healed::NotHealed;
 use super::round::Round;
 use crate::t_junctions::{Boundary, OnEdges, TJunction, distance, junction};
@@ -149,9 +150,10 @@ impl Recorder {
         builder.build(faces.vertex_count()).ok()
     }
 
-    /// What came of it all, once a round puts nothing in.
+    /// What came of it all, once a round puts nothing in. The mesh is given where several of its vertices share a place.
     pub(super) fn finished(
         mut self,
+        shared: Option<&PolygonMesh>,
         place: &Place<'_>,
         boundary: &Boundary,
         on: &OnEdges,
@@ -166,7 +168,11 @@ impl Recorder {
         let mut left: Vec<LeftTJunction> = left.collect();
         left.sort_unstable_by_key(|left| (left.junction.vertex, left.junction.ends));
         self.insertions.sort_unstable_by_key(|insertion| (insertion.face, insertion.vertex));
-        let faces = self.healed_faces(place, boundary.faces());
+        let mut faces = self.healed_faces(place, boundary.faces());
+        if let Some(mesh) = shared {
+            let copies = Copies { mesh, sources: &self.sources, boundary };
+            name_copies(&copies, boundary.faces(), &mut faces, &mut self.insertions);
+        }
         Healed { faces, insertions: self.insertions, left, rounds: self.rounds }
     }
 
@@ -196,4 +202,26 @@ impl Recorder {
         }
         corners
     }
+}
+
+/// Gives new corners, and the insertions that put them in, the vertices that they become.
+fn name_copies(
+    copies: &Copies<'_>,
+    table: &FaceTable,
+    faces: &mut [(FaceId, Vec<HealedCorner>)],
+    insertions: &mut [Insertion],
+) {
+    let mut names = Vec::new();
+    for (face, corners) in faces {
+        for (corner, healed) in table.face_corners(*face).zip(corners) {
+            let HealedCorner::New { vertex, .. } = healed else { continue };
+            let name = copies.at(corner);
+            let here =
+                insertions.binary_search_by_key(&(*face, *vertex), |put_in| (put_in.face, put_in.vertex));
+            names.extend(here.ok().map(|insertion| (insertion, name)));
+            *vertex = name;
+        }
+    }
+    names.into_iter().for_each(|(insertion, name)| insertions[insertion].vertex = name);
+    insertions.sort_unstable_by_key(|insertion| (insertion.face, insertion.vertex));
 }
