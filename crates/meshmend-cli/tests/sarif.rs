@@ -61,6 +61,9 @@ fn a_repair_tells_what_is_left() {
     let rules: Vec<&Value> =
         document["runs"][0]["results"].as_array().unwrap().iter().map(|result| &result["ruleId"]).collect();
     assert!(rules.contains(&&json!("non-orientable-patch")), "{rules:?}");
+    let quiet =
+        meshmend(&["repair", "-q", &example("moebius.off"), "-o", &output, "--sarif"]).succeeds().json();
+    assert_eq!(quiet, document);
     assert!(fs::metadata(&output).is_ok());
 }
 

@@ -120,6 +120,13 @@ impl fmt::Display for Loss {
     }
 }
 
+impl fmt::Display for LossKind {
+    /// Its stable name.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use meshmend_core::counted;

@@ -89,10 +89,7 @@ impl fmt::Display for Criterion {
         match self {
             Criterion::Defect(kind) => f.write_str(kind.code()),
             Criterion::Loss(None) => f.write_str("loss"),
-            Criterion::Loss(Some(kind)) => {
-                f.write_str("loss:")?;
-                kind.serialize(f)
-            }
+            Criterion::Loss(Some(kind)) => write!(f, "loss:{kind}"),
             Criterion::Removed => f.write_str("removed"),
             Criterion::Changed => f.write_str("changed"),
             Criterion::Left => f.write_str("left"),
@@ -137,9 +134,9 @@ impl Gate {
         self.0.iter().filter_map(|criterion| criterion.defect()).collect()
     }
 
-    /// Whether it has to be known what is left.
-    pub fn asks_what_is_left(&self) -> bool {
-        self.0.contains(&Criterion::Left)
+    /// Whether the result of a repair has to be judged for it.
+    pub fn asks_of_result(&self) -> bool {
+        self.0.iter().any(|criterion| matches!(criterion, Criterion::Defect(_) | Criterion::Left))
     }
 
     /// Whether nothing is asked.

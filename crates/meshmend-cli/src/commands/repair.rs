@@ -87,8 +87,7 @@ impl Repair {
     fn repair(&self, rules: Rules) -> Result<FileRepair, Failure> {
         let mut repair = self.words.repair(rules)?;
         repair.parts = self.parts.choice();
-        let is_judged =
-            self.makes_json() || !repair.gate.defects().is_empty() || repair.gate.asks_what_is_left();
+        let is_judged = self.makes_json() || self.sarif || repair.gate.asks_of_result();
         repair.judged = match (self.quiet, is_judged) {
             (false, _) => Judged::BeforeAndAfter,
             (true, true) => Judged::After,

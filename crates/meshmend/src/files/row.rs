@@ -2,12 +2,10 @@
 
 use std::io;
 
-use meshmend_core::Severity;
 use meshmend_io::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 use meshmend_repair::PassKind;
-use serde::Serialize;
 
-use super::{FileError, PartOutcome, RepairedFile};
+use super::{FileError, RepairedFile};
 use crate::TopologyReport;
 use crate::report::{CheckDocument, RepairDocument, Row, RowFigures, RowLoss, RowStatus};
 
@@ -33,7 +31,7 @@ impl RepairedFile {
             *row.defects.entry(group.kind.code().to_owned()).or_insert(0) += group.count;
         }
         let losses = self.losses().iter();
-        row.losses = losses.map(|loss| RowLoss { kind: word(loss.kind), count: loss.count }).collect();
+        row.losses = losses.map(|loss| RowLoss { kind: loss.kind.to_string(), count: loss.count }).collect();
         row
     }
 
@@ -46,29 +44,13 @@ impl RepairedFile {
     }
 
     fn row_status(&self) -> RowStatus {
-        if self.leaves_something() || !self.failing().is_empty() {
+        if self.left() > 0 || !self.failing().is_empty() {
             RowStatus::Left
         } else if self.is_changed() {
             RowStatus::Mended
         } else {
             RowStatus::Clean
         }
-    }
-
-    /// Whether a defect, or a part that was not repaired, is named as left.
-    fn leaves_something(&self) -> bool {
-        let is_left = |report: &&RepairDocument| {
-            let defects = report.after.iter().flat_map(|after| &after.defects);
-            let named = report.passes.iter().flat_map(|pass| pass.left.keys());
-            defects.clone().any(|group| group.severity == Severity::Defect)
-                || named.clone().any(|kind| kind.severity() == Severity::Defect)
-        };
-        let is_whole = |parts: &[(usize, PartOutcome)]| parts.iter().all(|(_, part)| part.report().is_some());
-        let is_done = match self {
-            RepairedFile::Mesh(_) => true,
-            RepairedFile::Parts(parts) => is_whole(&parts.parts),
-        };
-        !is_done || self.reports().iter().any(is_left)
     }
 }
 
@@ -155,13 +137,5 @@ fn of_topology(topology: &TopologyReport) -> RowFigures {
         closed: topology.closed,
         orientable: topology.orientable,
         consistently_oriented: topology.consistently_oriented,
-    }
-}
-
-/// What a kind is called in reports.
-fn word(kind: impl Serialize) -> String {
-    match serde_json::to_value(kind) {
-        Ok(serde_json::Value::String(word)) => word,
-        _ => String::new(),
     }
 }
