@@ -25,7 +25,7 @@ pub(crate) struct Stretch {
     pub(crate) looks: u64,
     /// Processor time of all threads between two looks, in seconds.
     pub(crate) longest: f64,
-    /// The step at whose look it began.
+    /// The step at whose look it began, and at which look of that step in a row.
     pub(crate) after: String,
     /// Processor time of the whole work, in seconds.
     pub(crate) total: f64,
@@ -151,6 +151,8 @@ struct Seen {
     start: ProcessTime,
     last: f64,
     after: &'static str,
+    /// How many looks in a row were at that step.
+    in_row: u64,
     stretch: Stretch,
 }
 
@@ -159,8 +161,9 @@ impl Seen {
         let now = self.start.elapsed().as_secs_f64();
         if now - self.last > self.stretch.longest {
             self.stretch.longest = now - self.last;
-            self.stretch.after = self.after.to_owned();
+            self.stretch.after = format!("{}, look {}", self.after, self.in_row);
         }
+        self.in_row = if self.after == step { self.in_row + 1 } else { 1 };
         (self.last, self.after) = (now, step);
         self.stretch.looks += 1;
     }
@@ -172,7 +175,7 @@ pub(crate) fn measure(name: &str, file: &Path, scratch: &Path) -> Result<Stretch
     let work = found.ok_or_else(|| Failure::NoSuchOperation(name.to_owned()))?;
     let task = work.what.task(file, scratch)?;
     let stretch = Stretch { work: name.to_owned(), looks: 0, longest: 0.0, after: String::new(), total: 0.0 };
-    let seen = Seen { start: ProcessTime::now(), last: 0.0, after: "the start", stretch };
+    let seen = Seen { start: ProcessTime::now(), last: 0.0, after: "the start", in_row: 0, stretch };
     let seen = Arc::new(Mutex::new(seen));
     let told = seen.clone();
     let watch = Watch::new(move |at: Progress| {

@@ -12,7 +12,7 @@
 mod steps;
 
 use meshmend_core::{PolygonMesh, Watch};
-use meshmend_geometry::coincident::{coincident_vertices, equal_in_pose};
+use meshmend_geometry::coincident::{equal_in_pose, watched_coincident_vertices};
 use serde::Serialize;
 
 use self::steps::{Merging, Step};
@@ -103,11 +103,12 @@ impl Advice {
     ///
     /// *Cost*: O(n log n) for n vertices of open edges, where not very many of them lie close together.
     pub fn on(mesh: &PolygonMesh, watch: &Watch) -> Result<Self, PassError> {
-        let exact = equal_in_pose(mesh, coincident_vertices(mesh));
+        let exact = equal_in_pose(mesh, watched_coincident_vertices(mesh, || watch.look(STEP, 0, 0))?);
+        watch.look(STEP, 0, 0)?;
         let open = OpenEdges::of(mesh, &exact)?;
         let diagonal = diagonal(mesh);
         watch.look(STEP, 0, 0)?;
-        let (pairs, looked_up_to) = open.near_pairs(FARTHEST * diagonal);
+        let (pairs, looked_up_to) = open.near_pairs(FARTHEST * diagonal, (watch, STEP))?;
         watch.look(STEP, 0, 0)?;
         let Merging { coincident, steps, harm } = Merging::of(&open, pairs, watch)?;
         let end = harm.unwrap_or(looked_up_to);

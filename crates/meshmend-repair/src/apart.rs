@@ -60,7 +60,9 @@ impl Apart {
     ) -> Result<Self, PassError> {
         let stored = StoredVertices::new(mesh, context);
         let parts = VertexParts::of(kernel, separation.matching, separation.joined, separation.vertices);
+        context.check_cancelled()?;
         let vertices = NewVertices::of(kernel, &stored, &parts);
+        context.check_cancelled()?;
         let inserted = match separation.coinciding {
             Coinciding::Subdivided => {
                 subdivide::subdivide(kernel, mesh, separation.matching, &vertices, context)?
@@ -86,8 +88,14 @@ impl Apart {
     }
 
     /// The mesh with its new vertices.
-    pub(crate) fn rebuild(self, mesh: &PolygonMesh) -> Result<(PolygonMesh, Provenance), PassError> {
-        Ok(mesh.rebuild(draft::draft(mesh, self.vertices, self.inserted)?)?)
+    pub(crate) fn rebuild(
+        self,
+        mesh: &PolygonMesh,
+        context: &Context<'_>,
+    ) -> Result<(PolygonMesh, Provenance), PassError> {
+        let draft = draft::draft(mesh, self.vertices, self.inserted)?;
+        context.check_cancelled()?;
+        Ok(mesh.rebuild(draft)?)
     }
 }
 
@@ -113,7 +121,9 @@ impl KernelTask for AlongRules<'_> {
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
         let AlongRules { mesh, context } = self;
         let stored = StoredVertices::new(mesh, context);
+        context.check_cancelled()?;
         let mut sewing = Sewing::of(kernel, mesh, context);
+        context.check_cancelled()?;
         let unchanged = || (mesh.clone(), Provenance::same(mesh.counts()));
         if sewing.is_whole(kernel, mesh, &stored) {
             sewing.keep(mesh, context);
@@ -128,6 +138,6 @@ impl KernelTask for AlongRules<'_> {
         let apart = Apart::of(kernel, mesh, context, separation)?;
         sewing.put_back(matching);
         sewing.keep(mesh, context);
-        if apart.is_unchanged(kernel, mesh) { Ok(unchanged()) } else { apart.rebuild(mesh) }
+        if apart.is_unchanged(kernel, mesh) { Ok(unchanged()) } else { apart.rebuild(mesh, context) }
     }
 }

@@ -9,6 +9,7 @@ use meshmend_core::{
     PolygonMesh, Provenance, Refusal, Watch,
 };
 use meshmend_kernels::{KernelKind, KernelTask};
+use meshmend_spatial::SurfaceError;
 use meshmend_topology::{TopologyReport, Witness, topology_watched};
 use thiserror::Error;
 
@@ -168,6 +169,15 @@ pub enum PassError {
     /// A pass described a mesh that can't be: a mistake of this program.
     #[error(transparent)]
     Draft(#[from] DraftError),
+}
+
+impl From<SurfaceError> for PassError {
+    fn from(error: SurfaceError) -> Self {
+        match error {
+            SurfaceError::Table(error) => error.into(),
+            SurfaceError::Cancelled(cancelled) => cancelled.into(),
+        }
+    }
 }
 
 /// A defect in brackets, if there is one.

@@ -51,5 +51,5 @@ pub use slivers::{
     Attributes, FoundSliver, LeftSliver, MendedSlivers, NoAttributes, Reshaped, SliverMend, SliverReason,
     SliverStep, SliverTask, agreement, mend_slivers,
 };
-pub use surface::{Cell, Surface, Triangle, WHOLE};
+pub use surface::{Cell, Surface, SurfaceError, Triangle, WHOLE};
 pub use t_junctions::{TJunction, t_junctions};

@@ -4,13 +4,13 @@
 //! some leave the mesh without meeting a face. The side from which at least a tenth more leave than from the other is the
 //! front. Points and directions are the same on every machine and for any number of threads. This is decided in doubles.
 
-use meshmend_core::{FaceTableError, Id, PolygonMesh};
+use meshmend_core::{Cancelled, FaceTableError, Id, PolygonMesh, Watch};
 use meshmend_geometry::diagonal;
 use meshmend_geometry::vector::{Point, cross, dot, length, minus, place_bits};
 use rayon::prelude::*;
 
 use crate::boxes::{Bounds, BoxTree};
-use crate::{Nesting, Surface};
+use crate::{Nesting, Surface, SurfaceError};
 
 /// What of an open component is seen more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,17 +32,23 @@ const MOST_RAYS: usize = 100_000_000;
 /// For each of some components of a mesh, by their places, which side of it is seen more.
 ///
 /// # Errors
-/// When the triangles of the mesh's faces have more corners than a table holds.
+/// When the triangles of the mesh's faces have more corners than a table holds, or whoever watches stops it.
 ///
 /// *Cost*: O(n log n), and for each ray the faces near it.
-pub fn fronts(mesh: &PolygonMesh, nesting: &Nesting, asked: &[usize]) -> Result<Vec<Front>, FaceTableError> {
+pub fn fronts(
+    mesh: &PolygonMesh,
+    nesting: &Nesting,
+    asked: &[usize],
+    watch: &Watch,
+) -> Result<Vec<Front>, SurfaceError> {
+    const STEP: &str = "sight";
     if asked.is_empty() {
         return Ok(Vec::new());
     }
     // Points and triangles must not depend on which way faces run: else a turned component might be turned back.
     let (mesh, runs_back) = running_one_way(mesh)?;
-    let surface = Surface::of(&mesh)?;
-    let view = View::of(&mesh, &surface, &runs_back);
+    let surface = Surface::watched(&mesh, watch)?;
+    let view = View::of(&mesh, &surface, &runs_back, STEP)?;
     let mut own = vec![Vec::new(); nesting.components.len()];
     for (place, triangle) in surface.triangles().iter().enumerate() {
         if let Some(part) = nesting.component_of(triangle.face) {
@@ -57,10 +63,12 @@ pub fn fronts(mesh: &PolygonMesh, nesting: &Nesting, asked: &[usize]) -> Result<
             rays <= MOST_RAYS
         })
         .collect();
-    let front = |(&part, in_budget): (&usize, bool)| {
-        if in_budget { view.front(part, &own[part], point_count(nesting, part)) } else { Front::Undecided }
+    let front = |(place, (&part, in_budget)): (usize, (&usize, bool))| {
+        watch.look(STEP, place, asked.len())?;
+        let points = point_count(nesting, part);
+        Ok(if in_budget { view.front(part, &own[part], points) } else { Front::Undecided })
     };
-    Ok(asked.par_iter().zip(in_budget).map(front).collect())
+    asked.par_iter().zip(in_budget).enumerate().map(front).collect()
 }
 
 /// The mesh with each face run round its first corner in one direction, whichever way round it is stored and whatever its vertices
@@ -97,7 +105,12 @@ struct View {
 }
 
 impl View {
-    fn of(mesh: &PolygonMesh, surface: &Surface<'_>, runs_back: &[bool]) -> Self {
+    fn of(
+        mesh: &PolygonMesh,
+        surface: &Surface<'_>,
+        runs_back: &[bool],
+        step: &'static str,
+    ) -> Result<Self, Cancelled> {
         let finite = |point: &&Point| point.iter().all(|x| x.is_finite());
         let origin = mesh.positions().iter().find(finite).copied().unwrap_or([0.0; 3]);
         let size = diagonal(mesh.positions()).max(f64::MIN_POSITIVE);
@@ -107,9 +120,10 @@ impl View {
         };
         let triangles: Vec<[Point; 3]> =
             surface.triangles().iter().map(|triangle| surface.points(triangle).map(seen)).collect();
-        let tree = BoxTree::over(triangles.len(), |item| Bounds::of(triangles[item]));
+        let bounds = |item: usize| Bounds::of(triangles[item]);
+        let tree = BoxTree::watched(triangles.len(), bounds, (surface.watch(), step))?;
         let runs_back = surface.triangles().iter().map(|triangle| runs_back[triangle.face.index()]).collect();
-        View { triangles, runs_back, tree }
+        Ok(View { triangles, runs_back, tree })
     }
 
     /// Which side of a component is seen more, by its triangles.
@@ -242,7 +256,7 @@ mod tests {
         let mesh = PolygonMesh::from_polygons(&points, &faces.concat(), &starts).unwrap();
         let nesting = nesting(&Surface::of(&mesh).unwrap()).unwrap();
         let asked: Vec<usize> = (0..nesting.components.len()).collect();
-        fronts(&mesh, &nesting, &asked).unwrap()
+        fronts(&mesh, &nesting, &asked, &Watch::NOBODY).unwrap()
     }
 
     #[test]

@@ -2,14 +2,14 @@
 
 mod shared;
 
-use meshmend_core::{Build, EdgeUse};
+use meshmend_core::{Build, EdgeUse, Watch};
 use meshmend_spatial::{LoopKind, open_loops};
 
 #[test]
 fn loops_have_the_figures_of_the_cases() {
     for (case, mesh) in shared::cases("holes") {
         let kernel = EdgeUse::build(mesh.complex()).unwrap();
-        let found = open_loops(&kernel, &mesh);
+        let found = open_loops(&kernel, &mesh, &Watch::NOBODY).unwrap();
         let by_construction = case["by_construction"]["loops"].as_array().unwrap();
         let reference = case["reference"]["loops"].as_array().unwrap();
         assert_eq!(found.len(), by_construction.len(), "{}", case["file"]);

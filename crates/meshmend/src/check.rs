@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::iter;
 
 use meshmend_core::{
-    Defect, DefectKind, Defects, FaceId, Found, Listed, PolygonMesh, Rules, Severity, Sources, VertexId,
-    Watch,
+    Cancelled, Defect, DefectKind, Defects, FaceId, Found, Listed, PolygonMesh, Rules, Severity, Sources,
+    VertexId, Watch,
 };
 use meshmend_geometry::coincident::{Coincidence, equal_in_pose};
 use meshmend_repair::{Distance, PassError, Session, Weld};
@@ -88,7 +88,8 @@ pub fn check(mesh: &PolygonMesh, options: &CheckOptions) -> Result<CheckReport, 
     let mesh = viewed(&mut session, view)?;
     let topology = options.kernel.topology(&mesh.0, options.witness, &options.watch)?;
     let stored = StoredCounts::of(session.stored());
-    let report = CheckReport::new(view, stored, mesh, topology, options.rules, options.kernels);
+    let report =
+        CheckReport::new(view, stored, mesh, topology, (options.rules, options.kernels), &options.watch)?;
     match &options.geometry {
         Some(asked) => report.with_geometry(asked, &options.watch),
         None => Ok(report),
@@ -114,7 +115,8 @@ pub fn check_in(session: &mut Session, view: View, rules: Rules) -> Result<Check
     let view = view.resolved(session.mesh(), session.watch())?;
     let mesh = viewed(session, view)?;
     let topology = session.topology()?.clone();
-    Ok(CheckReport::new(view, StoredCounts::of(session.stored()), mesh, topology, rules, Kernels::builtin()))
+    let stored = StoredCounts::of(session.stored());
+    Ok(CheckReport::new(view, stored, mesh, topology, (rules, Kernels::builtin()), session.watch())?)
 }
 
 /// The mesh of a session that has just begun, in a view, and of each of its vertices the stored one.
@@ -142,16 +144,24 @@ impl CheckReport {
 
     /// The report on a mesh as stored whose topology is known already, as it is after a repair.
     ///
+    /// # Errors
+    /// When whoever watches stops it.
+    ///
     /// *Cost*: an exact weld, and what other rules than meshmend's own take.
-    pub fn of_topology(mesh: PolygonMesh, topology: TopologyReport, rules: Rules) -> Self {
+    pub fn of_topology(
+        mesh: PolygonMesh,
+        topology: TopologyReport,
+        rules: Rules,
+        watch: &Watch,
+    ) -> Result<Self, Cancelled> {
         let vertices = Sources::same(mesh.counts().vertices);
         Self::new(
             View::Indexed,
             StoredCounts::of(&mesh),
             (mesh, vertices),
             topology,
-            rules,
-            Kernels::builtin(),
+            (rules, Kernels::builtin()),
+            watch,
         )
     }
 
@@ -160,12 +170,14 @@ impl CheckReport {
         stored: StoredCounts,
         (mesh, vertex_sources): (PolygonMesh, Sources<VertexId>),
         topology: TopologyReport,
-        rules: Rules,
-        kernels: Kernels,
-    ) -> Self {
+        (rules, kernels): (Rules, Kernels),
+        watch: &Watch,
+    ) -> Result<Self, Cancelled> {
+        const STEP: &str = "report";
         let (mut coincident, mut joined_in_single, mut apart_in_pose) = (Vec::new(), 0, 0);
         if matches!(view, View::Indexed | View::Welded(Distance::Exact)) {
-            let Coincidence { exactly, only_in_single } = Coincidence::of(mesh.positions());
+            let found = Coincidence::watched(mesh.positions(), || watch.look(STEP, 0, 0))?;
+            let Coincidence { exactly, only_in_single } = found;
             let joined = |lowest: &[VertexId]| {
                 lowest.iter().enumerate().filter(|(v, low)| low.0 as usize != *v).count()
             };
@@ -176,6 +188,7 @@ impl CheckReport {
             coincident.extend(joined.filter(|_| view == View::Indexed));
             joined_in_single = only_in_single as u64;
         }
+        watch.look(STEP, 0, 0)?;
         let face_sources = Sources::same(mesh.counts().faces);
         let own = rules.own().map(|kind| (kind, found_in(&mesh, kind))).collect();
         let mut report = CheckReport {
@@ -196,7 +209,7 @@ impl CheckReport {
             geometry: None,
         };
         report.kernels = kernels.all().map(|kernel| report.verdict(kernel)).collect();
-        report
+        Ok(report)
     }
 
     /// The report with these kinds listed where they occur, also those that are not listed unasked.

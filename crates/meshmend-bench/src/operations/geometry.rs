@@ -1,11 +1,11 @@
 //! What is asked of positions, and holes that are filled.
 
 use meshmend::Pass;
-use meshmend::PolygonMesh;
 use meshmend::mesh::{Build, EdgeUse};
 use meshmend::passes::{Context, Fill, FillLoops};
 use meshmend::spatial::{IntersectionOptions, Surface, intersections as intersecting};
 use meshmend::topology::topology;
+use meshmend::{PassError, PolygonMesh};
 
 use super::{Answer, figures};
 use crate::failure::Failure;
@@ -14,7 +14,7 @@ use crate::failure::Failure;
 const LISTED: usize = 100;
 
 pub(super) fn intersections(mesh: &PolygonMesh) -> Result<Answer, Failure> {
-    let surface = Surface::of(mesh)?;
+    let surface = Surface::of(mesh).map_err(PassError::from)?;
     let options = IntersectionOptions { limit: LISTED, ..IntersectionOptions::default() };
     let found = intersecting(&surface, options)?;
     Ok(Box::new(move || {

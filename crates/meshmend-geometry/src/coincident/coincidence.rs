@@ -3,7 +3,7 @@
 use meshmend_core::{Id, PolygonMesh, VertexId};
 use rayon::prelude::*;
 
-use super::equal_keys::{CHUNK, lowest_of_equal};
+use super::equal_keys::{CHUNK, always, lowest_of_equal};
 use crate::vector::{Point, is_finite, place_bits};
 
 /// For each vertex the lowest one at the same position: −0 equals 0, and a position that is not finite equals no other.
@@ -13,12 +13,26 @@ pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
     Coincidence::of(mesh.positions()).exactly
 }
 
+/// The same while somebody watches, who is asked now and then whether to go on.
+///
+/// # Errors
+/// That of whoever does not go on.
+///
+/// *Cost*: that of [`coincident_vertices`].
+pub fn watched_coincident_vertices<E: Send>(
+    mesh: &PolygonMesh,
+    goes_on: impl Fn() -> Result<(), E> + Sync,
+) -> Result<Vec<VertexId>, E> {
+    Ok(Coincidence::watched(mesh.positions(), goes_on)?.exactly)
+}
+
 /// For each vertex the lowest one at the same position when all coordinates are rounded to single precision; what is
 /// not finite then equals nothing.
 ///
 /// *Cost*: linear; 20 bytes a vertex.
 pub fn coincident_in_single(mesh: &PolygonMesh) -> Vec<VertexId> {
-    equal_in_single(mesh.positions())
+    let Ok(lowest) = equal_in_single(mesh.positions(), &always);
+    lowest
 }
 
 /// Which vertices are in the same place, and how many more would be if coordinates were stored in single precision.
@@ -35,29 +49,48 @@ impl Coincidence {
     ///
     /// *Cost*: that of [`coincident_vertices`].
     pub fn of(positions: &[Point]) -> Self {
+        let Ok(found) = Self::watched(positions, always);
+        found
+    }
+
+    /// Looks at some points while somebody watches, who is asked now and then whether to go on.
+    ///
+    /// # Errors
+    /// That of whoever does not go on.
+    ///
+    /// *Cost*: that of [`coincident_vertices`].
+    pub fn watched<E: Send>(
+        positions: &[Point],
+        goes_on: impl Fn() -> Result<(), E> + Sync,
+    ) -> Result<Self, E> {
         let are_single = |positions: &[Point]| positions.iter().flatten().all(|&x| f64::from(x as f32) == x);
-        let lowest = equal_in_single(positions);
+        let lowest = equal_in_single(positions, &goes_on)?;
+        goes_on()?;
         // A coordinate that is not a number equals none, itself included.
         if positions.par_chunks(CHUNK).all(are_single) {
-            return Coincidence { exactly: lowest, only_in_single: 0 };
+            return Ok(Coincidence { exactly: lowest, only_in_single: 0 });
         }
         let doubtful = doubtful(positions, &lowest);
         let mut exactly = lowest;
         let joined = |lowest: &[VertexId]| doubtful.iter().filter(|&&v| lowest[v.index()] != v).count();
         let joined_in_single = joined(&exactly);
         let points: Vec<Point> = doubtful.iter().map(|v| positions[v.index()]).collect();
-        let equal = lowest_of_equal(&points, |point| is_finite(point).then(|| place_bits(*point)));
+        let equal = lowest_of_equal(&points, |point| is_finite(point).then(|| place_bits(*point)), &goes_on)?;
         for (&vertex, low) in doubtful.iter().zip(equal) {
             exactly[vertex.index()] = doubtful[low.index()];
         }
         // Numbers that single precision does not reach may be equal as they are, and are not in single precision.
         let only_in_single = joined_in_single.saturating_sub(joined_within(&exactly, &doubtful, positions));
-        Coincidence { exactly, only_in_single }
+        Ok(Coincidence { exactly, only_in_single })
     }
 }
 
-fn equal_in_single(positions: &[Point]) -> Vec<VertexId> {
-    lowest_of_equal(positions, |&point| is_in_reach(point).then(|| point.map(|x| (x as f32 + 0.0).to_bits())))
+fn equal_in_single<E: Send>(
+    positions: &[Point],
+    goes_on: &(impl Fn() -> Result<(), E> + Sync),
+) -> Result<Vec<VertexId>, E> {
+    let key = |&point: &Point| is_in_reach(point).then(|| point.map(|x| (x as f32 + 0.0).to_bits()));
+    lowest_of_equal(positions, key, goes_on)
 }
 
 /// The vertices of which single precision does not tell what they equal: all of a class that are not all at one
@@ -159,7 +192,8 @@ mod tests {
         let found = Coincidence::of(&positions);
         let exactly: Vec<u32> = found.exactly.iter().map(|v| v.0).collect();
         assert_eq!((exactly, found.only_in_single), (vec![0, 1, 2, 0, 4, 4, 6, 7, 8], 2));
-        let in_single: Vec<u32> = equal_in_single(&positions).iter().map(|v| v.0).collect();
+        let Ok(in_single) = equal_in_single(&positions, &always);
+        let in_single: Vec<u32> = in_single.iter().map(|v| v.0).collect();
         assert_eq!(in_single, [0, 0, 0, 0, 4, 5, 6, 7, 8]);
         assert_eq!(Coincidence::of(&positions[8..]).only_in_single, 0);
     }

@@ -10,8 +10,16 @@
 //! The answer does not depend on how many chunks, parts or threads there are. A part whose keys were made to collide is
 //! sorted instead, so that no file can make this slow.
 
+use std::convert::Infallible;
+
 use meshmend_core::{Id, VertexId};
 use rayon::prelude::*;
+
+/// What goes on is never asked to stop.
+#[allow(clippy::unnecessary_wraps, reason = "what can be stopped answers with it")]
+pub(super) fn always() -> Result<(), Infallible> {
+    Ok(())
+}
 
 /// Things of a chunk: their keys fit the second-level cache.
 pub(super) const CHUNK: usize = 1 << 15;
@@ -69,26 +77,32 @@ struct Chunk<K> {
     starts: Vec<usize>,
 }
 
-/// For each thing the lowest one with the same key; a thing without a key is alone.
-pub(super) fn lowest_of_equal<T: Sync, K: Key>(
+/// For each thing the lowest one with the same key; a thing without a key is alone. From time to time it is asked whether to go on.
+pub(super) fn lowest_of_equal<T: Sync, K: Key, E: Send>(
     things: &[T],
     key: impl Fn(&T) -> Option<K> + Sync,
-) -> Vec<VertexId> {
+    goes_on: &(impl Fn() -> Result<(), E> + Sync),
+) -> Result<Vec<VertexId>, E> {
     let part_bits = (things.len() / PART).max(1).ilog2();
     let part_of = |key: K| (u128::from(key.hash()) << part_bits >> 64) as usize;
     let mut chunks: Vec<Chunk<K>> = things
         .par_chunks(CHUNK)
         .enumerate()
-        .map(|(chunk, things)| Chunk::of(things, chunk * CHUNK, 1 << part_bits, &key, part_of))
-        .collect();
+        .map(|(chunk, things)| {
+            goes_on()?;
+            Ok(Chunk::of(things, chunk * CHUNK, 1 << part_bits, &key, part_of))
+        })
+        .collect::<Result<_, E>>()?;
+    goes_on()?;
     let parts = by_part(&mut chunks, 1 << part_bits);
     parts.into_par_iter().for_each_init(Table::new, |table, mut runs| table.find_lowest(&mut runs));
+    goes_on()?;
     let mut lowest: Vec<VertexId> = (0..things.len()).map(VertexId::new).collect();
     lowest.par_chunks_mut(CHUNK).zip(&chunks).enumerate().for_each(|(at, (lowest, chunk))| {
         let first = at * CHUNK;
         chunk.entries.iter().for_each(|e| lowest[e.thing as usize - first] = VertexId(e.lowest));
     });
-    lowest
+    Ok(lowest)
 }
 
 impl<K: Key> Chunk<K> {
@@ -198,7 +212,7 @@ mod tests {
             }
         }
         let things: Vec<u32> = (0..5000).map(|i| i % 1250).collect();
-        let found = lowest_of_equal(&things, |&thing| Some(Colliding(thing)));
+        let Ok(found) = lowest_of_equal(&things, |&thing| Some(Colliding(thing)), &always);
         assert!(found.iter().zip(0..).all(|(lowest, thing)| lowest.0 == thing % 1250));
     }
 }

@@ -1,6 +1,6 @@
 //! The places that several points share, where few are shared: most points are passed over at a look.
 
-use super::equal_keys::lowest_of_equal;
+use super::equal_keys::{always, lowest_of_equal};
 use crate::vector::{Point, is_finite, place_bits};
 
 /// Gives each set of several finite points at one place, of those that are asked about: their numbers, ascending. The
@@ -22,7 +22,7 @@ pub fn each_shared_place(
     }
     // Places that share a mark may be different ones.
     let perhaps: Vec<usize> = asked.filter(|&at| again.is_set(again.mark_of(points[at]))).collect();
-    let lowest = lowest_of_equal(&perhaps, |&at| Some(place_bits(points[at])));
+    let Ok(lowest) = lowest_of_equal(&perhaps, |&at| Some(place_bits(points[at])), &always);
     let mut order: Vec<usize> = (0..perhaps.len()).collect();
     order.sort_unstable_by_key(|&at| (lowest[at], at));
     let mut place = Vec::new();

@@ -141,7 +141,7 @@ impl<'a, P: Places> Cloud<'a, P> {
                 }
             }
         }
-        Some(self.lowest(&mut joined))
+        goes_on().then(|| self.lowest(&mut joined))
     }
 
     /// How many cells from this one on come before a place.

@@ -41,7 +41,7 @@ pub(super) trait Places {
     /// Ascends as points are visited.
     type Cell: Copy + Ord;
 
-    /// Visits the finite points by cell, then cube, then name. Once they are sorted it asks whether to go on, and visits none if not.
+    /// Visits the finite points by cell, then cube, then name. While they are sorted it asks whether to go on, and visits none if not.
     fn visit_sorted(
         &self,
         points: &[[f64; 3]],
@@ -129,7 +129,8 @@ impl Packed {
         ((x * self.y + y) * self.z + z) << CUBE_BITS | u64::from(cube_in_cell(cube))
     }
 
-    fn parts(&self, points: &[[f64; 3]]) -> Parts {
+    /// The points by parts; `None` if the caller does not go on.
+    fn parts(&self, points: &[[f64; 3]], goes_on: &dyn Fn() -> bool) -> Option<Parts> {
         let places: Vec<u64> = points.par_iter().map(|&point| self.place(point)).collect();
         let point_bits = points.len().next_power_of_two().ilog2();
         let part_bits = point_bits.saturating_sub(LEAST_PART_BITS).min(MOST_PART_BITS);
@@ -139,6 +140,9 @@ impl Packed {
             if let Some(count) = starts.get_mut((place >> rest_bits) as usize) {
                 *count += 1;
             }
+        }
+        if !goes_on() {
+            return None;
         }
         let mut total = 0;
         for start in &mut starts {
@@ -152,10 +156,13 @@ impl Packed {
                 *next += 1;
             }
         }
+        if !goes_on() {
+            return None;
+        }
         // Each start has moved on to where the part after it begins.
         starts.insert(0, 0);
         sort_parts(&mut words, &starts);
-        Parts { starts, words, point_bits, rest_bits }
+        goes_on().then_some(Parts { starts, words, point_bits, rest_bits })
     }
 }
 
@@ -193,10 +200,8 @@ impl Places for Packed {
         goes_on: &dyn Fn() -> bool,
         mut visit: impl FnMut(u64, InCell, u32),
     ) {
-        let Parts { starts, words, point_bits, rest_bits } = self.parts(points);
-        if !goes_on() {
-            return;
-        }
+        let Some(parts) = self.parts(points, goes_on) else { return };
+        let Parts { starts, words, point_bits, rest_bits } = parts;
         for (part, bounds) in (0u64..).zip(starts.windows(2)) {
             for word in &words[bounds[0] as usize..bounds[1] as usize] {
                 let place = part << rest_bits | word >> point_bits;

@@ -158,13 +158,15 @@ impl Pass for Clean {
         let pieces = self.simple_pieces(mesh)?;
         context.check_cancelled()?;
         let stored = stored_vertices(mesh, context);
+        context.check_cancelled()?;
         let telling = match self.repeated {
             Repeated::KeepDifferent => context.telling,
             Repeated::Drop => TellingLayers::Only(&[]),
         };
         let repeats = pieces.sorted_repeats(mesh, &stored, telling);
         drop(stored);
-        pieces.into_outcome(mesh, repeats)
+        context.check_cancelled()?;
+        pieces.into_outcome(mesh, repeats, context)
     }
 }
 
@@ -367,7 +369,12 @@ impl Pieces<'_> {
         Looks::new(self.face(piece as usize), corners.collect())
     }
 
-    fn into_outcome(mut self, mesh: &PolygonMesh, repeats: Repeats) -> Result<Outcome, PassError> {
+    fn into_outcome(
+        mut self,
+        mesh: &PolygonMesh,
+        repeats: Repeats,
+        context: &Context<'_>,
+    ) -> Result<Outcome, PassError> {
         let mut is_kept = vec![true; if repeats.dropped.is_empty() { 0 } else { self.count() }];
         let mut differed = Vec::new();
         for &(repeat, original, differs) in &repeats.dropped {
@@ -389,7 +396,9 @@ impl Pieces<'_> {
             corner_sources.extend(self.corners(piece).map(Some));
             face_sources.push(Some(self.face(piece)));
         }
+        context.check_cancelled()?;
         let faces = builder.build(mesh.counts().vertices)?;
+        context.check_cancelled()?;
         let draft =
             Draft::of_faces(mesh, faces, Sources::listed(face_sources), Sources::listed(corner_sources));
         let outcome = Outcome::changed(mesh.rebuild(draft)?, self.fixed);

@@ -125,6 +125,7 @@ impl Pass for DropParts {
             }));
             fixed.extend(going.into_iter().map(|gone| gone.defect(before(gone.face))));
             record.opened_edges += judging::opened_edges(&now, &fates);
+            context.check_cancelled()?;
             let (next, step) = turned(&now, &fates, FlippedNormals::default())?;
             provenance = provenance.then(&step, mesh.faces(), next.faces());
             now = next;

@@ -148,6 +148,7 @@ impl Pass for Fill {
             let filled = filling::filled(self, &now, &judged, context)?;
             loops.extend(filled.records.into_iter().filter(|row| filled.mesh.is_none() || row.is_filled()));
             let Some((next, step)) = filled.mesh else { break };
+            context.check_cancelled()?;
             fixed.extend(filled.closed.iter().map(|&side| closed_edge(mesh, side)));
             provenance = provenance.then(&step, mesh.faces(), next.faces());
             now = next;

@@ -19,7 +19,7 @@
 
 mod repeats;
 
-use meshmend_core::{Defect, DefectKind, FaceId, FlippedNormals, PolygonMesh};
+use meshmend_core::{Defect, DefectKind, FaceId, FlippedNormals, PolygonMesh, Watch};
 use meshmend_spatial::{Front, NestedComponent, Nesting, NestingState, NoSpace, Surface, fronts, nesting};
 use serde::{Deserialize, Serialize};
 
@@ -86,11 +86,11 @@ impl Pass for Outward {
     }
 
     fn apply(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
-        let nesting = nesting(&Surface::of(mesh)?.watched(context.watch()))?;
+        let nesting = nesting(&Surface::watched(mesh, context.watch())?)?;
         context.check_cancelled()?;
         let mut wishes: Vec<Wish> = nesting.components.iter().map(|part| self.wish(part)).collect();
         if self.turn == Turn::Visible {
-            see(mesh, &nesting, &mut wishes)?;
+            see(mesh, &nesting, &mut wishes, context.watch())?;
             context.check_cancelled()?;
         }
         let turns: Vec<bool> = wishes.iter().map(|wish| *wish == Wish::Turned).collect();
@@ -189,10 +189,10 @@ fn was_wrong(part: &NestedComponent) -> Option<Defect> {
 }
 
 /// Decides by sight on the open components whose faces agree.
-fn see(mesh: &PolygonMesh, nesting: &Nesting, wishes: &mut [Wish]) -> Result<(), PassError> {
+fn see(mesh: &PolygonMesh, nesting: &Nesting, wishes: &mut [Wish], watch: &Watch) -> Result<(), PassError> {
     let is_open = |part: &NestedComponent| part.is_oriented && matches!(part.reason, Some(NoSpace::Open(_)));
     let open: Vec<usize> = (0..wishes.len()).filter(|&part| is_open(&nesting.components[part])).collect();
-    for (&part, front) in open.iter().zip(fronts(mesh, nesting, &open)?) {
+    for (&part, front) in open.iter().zip(fronts(mesh, nesting, &open, watch)?) {
         wishes[part] = match front {
             Front::Shown => Wish::Kept,
             Front::Hidden => Wish::Turned,

@@ -139,30 +139,34 @@ impl KernelTask for Task<'_> {
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
         self.context.check_cancelled()?;
         let stored = StoredVertices::new(self.mesh, self.context);
+        self.context.check_cancelled()?;
         let mut sewing = Sewing::of(kernel, self.mesh, self.context);
         self.context.check_cancelled()?;
         let has_seam = self.options.seams == Seams::Cut && has_clash(kernel);
         if !has_seam && sewing.is_whole(kernel, self.mesh, &stored) {
             return Ok(Outcome::unchanged(self.mesh));
         }
+        self.context.check_cancelled()?;
         let mut matching = sewing.take_matching(kernel, &stored);
+        self.context.check_cancelled()?;
         let seam = self.complete(kernel, &stored, &sewing, &mut matching)?;
         let parted = sewing.parted_copies(kernel);
+        self.context.check_cancelled()?;
         let seam_edges = seam.iter().map(|&(one, _)| kernel.corner_edge(one));
         let cut: Vec<EdgeId> = seam_edges.chain(parted.iter().copied()).collect();
         let joined = self.joined_as_stored(kernel, &stored);
-        let separation = Separation {
-            matching: &matching,
-            joined: &joined,
-            vertices: with_ends(kernel, sewing.irregular, &cut),
-            coinciding: self.coinciding(),
-        };
+        self.context.check_cancelled()?;
+        let vertices = with_ends(kernel, sewing.irregular, &cut);
+        self.context.check_cancelled()?;
+        let separation =
+            Separation { matching: &matching, joined: &joined, vertices, coinciding: self.coinciding() };
         let apart = Apart::of(kernel, self.mesh, self.context, separation)?;
         self.context.check_cancelled()?;
         let figures = seams::seam_figures(kernel, self.mesh, &matching, &apart.vertices, &seam);
         drop(matching);
         let came_apart = parted.into_iter().filter(|&edge| self.comes_apart(kernel, &apart.vertices, edge));
         let clashing = came_apart.map(|edge| Defect::inconsistent_edge(edge, kernel.edge_ends(edge)));
+        self.context.check_cancelled()?;
         let opened = seams::seam_edges(kernel, &seam).chain(clashing).collect();
         Ok(Outcome { seam: figures, ..self.outcome(kernel, apart, opened)? })
     }
@@ -187,8 +191,7 @@ impl Task<'_> {
         };
         self.context.check_cancelled()?;
         if self.options.edges == SplitEdges::Sheets {
-            sheets::match_sheets(kernel, self.mesh, copies, matching);
-            self.context.check_cancelled()?;
+            sheets::match_sheets(kernel, self.mesh, copies, matching, self.context)?;
         }
         Ok(seam)
     }
@@ -244,12 +247,14 @@ impl Task<'_> {
             return Ok(Outcome { left, ..Outcome::unchanged(self.mesh) });
         }
         let mut fixed = self.edges_fixed(kernel);
+        self.context.check_cancelled()?;
         fixed.extend(vertices_fixed(&apart.parts));
         let subdivided = apart.subdivided_edges().iter();
         fixed.extend(subdivided.map(|&edge| Defect::coincident_edges(kernel.edge_ends(edge))));
         fixed.extend(opened);
         self.context.check_cancelled()?;
-        let outcome = Outcome::changed(apart.rebuild(self.mesh)?, fixed);
+        let outcome = Outcome::changed(apart.rebuild(self.mesh, self.context)?, fixed);
+        self.context.check_cancelled()?;
         Ok(Outcome { left: self.left(&outcome.mesh), ..outcome })
     }
 

@@ -25,7 +25,9 @@
 use std::borrow::Cow;
 
 use meshmend_core::{Cancelled, DefectKind, Draft, Id, PolygonMesh, Sources, VertexId};
-use meshmend_geometry::coincident::{coincident_in_single, coincident_vertices, equal_in_pose, near_in_pose};
+use meshmend_geometry::coincident::{
+    coincident_in_single, equal_in_pose, near_in_pose, watched_coincident_vertices,
+};
 use meshmend_geometry::proximity::{NoClasses, proximity_classes};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -183,11 +185,11 @@ impl Weld {
     /// Joins the vertices within a distance that is known.
     fn join(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
         let lowest = match self.distance {
-            Distance::Exact | Distance::Auto => coincident_vertices(mesh),
+            Distance::Exact | Distance::Auto => in_one_place(mesh, context)?,
             Distance::Single => coincident_in_single(mesh),
             Distance::Absolute(_) | Distance::Relative(_) => within(mesh, self.tolerance_on(mesh), context)?,
             Distance::Boundary(_) | Distance::BoundaryRelative(_) => {
-                let exact = equal_in_pose_if(self.by, mesh, coincident_vertices(mesh));
+                let exact = equal_in_pose_if(self.by, mesh, in_one_place(mesh, context)?);
                 let epsilon = resolved_on(ROW.name, mesh, self.distance)?;
                 joined_along_boundaries(mesh, exact, epsilon, context)?
             }
@@ -195,7 +197,7 @@ impl Weld {
         context.check_cancelled()?;
         let lowest = self.in_one_pose(mesh, lowest, context)?;
         context.check_cancelled()?;
-        join_to(mesh, lowest)
+        join_to(mesh, lowest, context)
     }
 
     /// Classes of vertices, parted where a model's motion parts them.
@@ -265,15 +267,15 @@ fn used_positions(mesh: &PolygonMesh) -> Cow<'_, [[f64; 3]]> {
 
 fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec<VertexId>, PassError> {
     if epsilon == 0.0 {
-        Ok(coincident_vertices(mesh))
+        in_one_place(mesh, context)
     } else if epsilon.is_finite() && epsilon > 0.0 {
         let goes_on = || context.check_cancelled().is_ok();
         let classes = proximity_classes(mesh.positions(), epsilon, &goes_on);
         let classes = match (&classes, used_positions(mesh)) {
             // Coordinates that are too large can't resolve the distance. If no face has them, they are set aside.
             (Err(NoClasses::Unresolved { .. }), Cow::Owned(used)) => {
-                proximity_classes(&used, epsilon, &goes_on)
-                    .map(|classes| joined_classes(classes, &coincident_vertices(mesh)))
+                let exact = in_one_place(mesh, context)?;
+                proximity_classes(&used, epsilon, &goes_on).map(|classes| joined_classes(classes, &exact))
             }
             _ => classes,
         };
@@ -281,6 +283,11 @@ fn within(mesh: &PolygonMesh, epsilon: f64, context: &Context<'_>) -> Result<Vec
     } else {
         Err(no_tolerance(ROW.name, epsilon))
     }
+}
+
+/// For each vertex the lowest one at its position.
+fn in_one_place(mesh: &PolygonMesh, context: &Context<'_>) -> Result<Vec<VertexId>, PassError> {
+    watched_coincident_vertices(mesh, || context.check_cancelled())
 }
 
 fn not_told(epsilon: f64, reason: NoClasses) -> PassError {
@@ -291,11 +298,12 @@ fn not_told(epsilon: f64, reason: NoClasses) -> PassError {
 }
 
 /// The mesh in which each vertex is replaced by the lowest one of its class.
-fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Result<Outcome, PassError> {
+fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>, context: &Context<'_>) -> Result<Outcome, PassError> {
     let fixed = Fixed::joined(lowest);
     if fixed.is_empty() {
         return Ok(Outcome::unchanged(mesh));
     }
+    context.check_cancelled()?;
     let lowest = fixed.joined_to();
     let mut new_id = vec![VertexId(0); lowest.len()];
     let mut sources = Vec::with_capacity(lowest.len() - fixed.len());
@@ -307,9 +315,11 @@ fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>) -> Result<Outcome, PassErr
             new_id[low.index()]
         };
     }
+    context.check_cancelled()?;
     let old = mesh.faces();
     let corners = old.corner_vertices().par_iter().map(|v| new_id[v.index()]).collect();
     let faces = old.over(sources.len(), corners)?;
+    context.check_cancelled()?;
     let draft = Draft {
         vertex_sources: Sources::listed(sources),
         merged_into: Some(new_id),

@@ -261,6 +261,7 @@ fn halved<E: Send>(
         let centre = unit.shrunk(std::array::from_fn(|i| place(centre[i], all.low[i])));
         Placed { centre: centre.map(|x| (x * f64::from(1_u32 << 31)) as u32), item: item as u32 }
     };
+    look()?;
     let mut placed: Vec<Placed> = items().map(placed).collect();
     halve(&mut placed, depth, look)?;
     Ok(placed.into_iter().map(|placed| placed.item).collect())

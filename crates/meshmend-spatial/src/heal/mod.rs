@@ -42,7 +42,7 @@ use round::Round;
 pub fn heal(mesh: &PolygonMesh, within: f64, watch: &Watch) -> Result<Healed, Cancelled> {
     const STEP: &str = "heal";
     watch.look(STEP, 0, 0)?;
-    let welded = welded_faces(mesh).map(|faces| Complex::of(&Arc::new(faces)));
+    let welded = welded_faces(mesh, STEP, watch)?.map(|faces| Complex::of(&Arc::new(faces)));
     let place = Place { positions: mesh.positions(), within };
     let first = welded.as_ref().unwrap_or(mesh.complex());
     let mut recorder = Recorder::of(first);
@@ -50,6 +50,8 @@ pub fn heal(mesh: &PolygonMesh, within: f64, watch: &Watch) -> Result<Healed, Ca
     loop {
         watch.look(STEP, 0, 0)?;
         let complex = Complex::of(&faces);
+        complex.edges();
+        watch.look(STEP, 0, 0)?;
         let boundary = Boundary::of(&complex, mesh.positions());
         let on = vertices_on_edges(mesh.positions(), &boundary, within, watch)?;
         watch.look(STEP, 0, boundary.edges().len())?;

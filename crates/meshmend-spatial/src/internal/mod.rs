@@ -74,7 +74,7 @@ pub fn internal_faces(
     let is_mixed = |face: FaceId| contact(face).is_some_and(|contact| contact >= Contact::EdgeFace);
     let is_asked =
         |face: &FaceId| is_solid(*face) && !is_mixed(*face) && !surface.triangles_of(*face).is_empty();
-    let lowest = regions(surface, |face| is_asked(&face) && contact(face).is_none());
+    let lowest = regions(surface, |face| is_asked(&face) && contact(face).is_none(), STEP)?;
     watch.look(STEP, 0, 0)?;
     let asked: Vec<FaceId> = mesh.faces().faces().filter(is_asked).collect();
     let seeds: Vec<FaceId> = asked.iter().copied().filter(|&face| lowest[face] == face).collect();
@@ -86,6 +86,7 @@ pub fn internal_faces(
     });
     let statuses: Vec<Status> =
         statuses.collect::<Result<Vec<_>, Cancelled>>()?.into_iter().flatten().collect();
+    watch.look(STEP, 0, seeds.len())?;
     let mut found = InternalFaces { mixed: of_mesh(mesh, is_mixed), ..InternalFaces::default() };
     for face in asked {
         let status = seeds.binary_search(&lowest[face]).map(|at| statuses[at]);

@@ -44,11 +44,14 @@ pub fn intersections(
     let mut total = Run::default();
     let mut done = 0;
     if let Some(mut joined) = joined(&subject, budget) {
+        watch.look(STEP, faces, faces)?;
         one_for_two_faces(&mut joined.met, surface);
+        watch.look(STEP, faces, faces)?;
         subject.report(&joined.met, &mut total);
         total.self_crossing = joined.self_crossing;
         total.self_crossing.sort_unstable();
         total.self_crossing.dedup();
+        watch.look(STEP, faces, faces)?;
         done = runs;
     }
     watch.look(STEP, faces.min(done * RUN), faces)?;

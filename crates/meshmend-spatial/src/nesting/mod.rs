@@ -135,6 +135,7 @@ pub fn nesting(surface: &Surface<'_>) -> Result<Nesting, Cancelled> {
     let depths = depths(mesh, surface, &parts);
     watch.look(STEP, 0, parts.list.len())?;
     let triangles = parts.triangles(surface);
+    watch.look(STEP, 0, parts.list.len())?;
     let (mut faces, count) = (0, parts.list.len());
     let judged = parts.list.iter().zip(depths).zip(&triangles).enumerate();
     let judged = judged.map(|(place, ((part, depth), triangles))| {

@@ -8,7 +8,7 @@
 mod component_areas;
 mod figures;
 
-use meshmend_core::{Column, Connectivity, PolygonMesh, VertexId};
+use meshmend_core::{Cancelled, Column, Connectivity, PolygonMesh, VertexId, Watch};
 use meshmend_geometry::vector::{Point, dot, length, minus};
 use meshmend_topology::{ComponentId, Components, boundary_loops, components};
 
@@ -62,14 +62,26 @@ pub const RIM: f64 = 0.4;
 /// The boundary loops of a mesh, by lowest vertex. What hangs together only at a vertex is one component; which loops there
 /// are is what [`boundary_loops`] says.
 ///
+/// # Errors
+/// When whoever watches stops it.
+///
 /// *Cost*: near-linear; 100 bytes a component and 21 bytes a vertex.
-pub fn open_loops<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> Vec<OpenLoop> {
+pub fn open_loops<K: Connectivity>(
+    kernel: &K,
+    mesh: &PolygonMesh,
+    watch: &Watch,
+) -> Result<Vec<OpenLoop>, Cancelled> {
+    const STEP: &str = "loops";
+    watch.look(STEP, 0, 0)?;
     let loops = boundary_loops(kernel);
     if loops.count() == 0 {
-        return Vec::new();
+        return Ok(Vec::new());
     }
+    watch.look(STEP, 0, loops.count())?;
     let components = components(kernel);
+    watch.look(STEP, 0, loops.count())?;
     let areas = component_areas(kernel, mesh, &components);
+    watch.look(STEP, 0, loops.count())?;
     let after = followers(kernel);
     let directed = |vertices: &[VertexId]| {
         let mut vertices = vertices.to_vec();
@@ -80,7 +92,13 @@ pub fn open_loops<K: Connectivity>(kernel: &K, mesh: &PolygonMesh) -> Vec<OpenLo
         }
         vertices
     };
-    loops.iter().filter_map(|vertices| judged(mesh, &components, &areas, directed(vertices))).collect()
+    let judged = loops.iter().enumerate().filter_map(|(place, vertices)| {
+        match watch.look_at_times(STEP, place, loops.count()) {
+            Ok(()) => judged(mesh, &components, &areas, directed(vertices)).map(Ok),
+            Err(cancelled) => Some(Err(cancelled)),
+        }
+    });
+    judged.collect()
 }
 
 /// The vertex to which the boundary leads on from each, as the faces run.
@@ -143,7 +161,7 @@ mod tests {
     use super::*;
 
     fn loops(mesh: &PolygonMesh) -> Vec<OpenLoop> {
-        open_loops(&EdgeUse::build(mesh.complex()).unwrap(), mesh)
+        open_loops(&EdgeUse::build(mesh.complex()).unwrap(), mesh, &Watch::NOBODY).unwrap()
     }
 
     fn open_box(scale: f64) -> PolygonMesh {

@@ -4,10 +4,11 @@ mod cut;
 mod cycles;
 mod triangle;
 
-use meshmend_core::{FaceId, FaceTableError, Id, PolygonMesh, VertexId, Watch, distinct_count};
-use meshmend_geometry::coincident::coincident_vertices;
+use meshmend_core::{Cancelled, FaceId, FaceTableError, Id, PolygonMesh, VertexId, Watch, distinct_count};
+use meshmend_geometry::coincident::watched_coincident_vertices;
 use meshmend_geometry::vector::Point;
 use rayon::prelude::*;
+use thiserror::Error;
 
 pub use triangle::{Cell, Triangle, WHOLE};
 
@@ -34,20 +35,42 @@ pub struct Surface<'a> {
     watch: &'a Watch,
 }
 
+/// Why a mesh's surface is not there.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum SurfaceError {
+    /// Its triangles have more corners than a table holds.
+    #[error(transparent)]
+    Table(#[from] FaceTableError),
+    /// Whoever watches stopped it.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
 const NOBODY: &Watch = &Watch::NOBODY;
 
 /// Faces of a piece of work.
 const CHUNK: usize = 4096;
 
 impl<'a> Surface<'a> {
-    /// The surface of a mesh.
+    /// The surface of a mesh, which nobody watches.
     ///
     /// # Errors
     /// When its triangles have more corners than a table holds.
     ///
+    /// *Cost*: that of [`watched`](Self::watched).
+    pub fn of(mesh: &'a PolygonMesh) -> Result<Self, SurfaceError> {
+        Self::watched(mesh, NOBODY)
+    }
+
+    /// The surface of a mesh. Somebody watches while it is made, and while anything is asked about it.
+    ///
+    /// # Errors
+    /// When its triangles have more corners than a table holds, or whoever watches stops it.
+    ///
     /// *Cost*: linear for triangles, and 22 bytes a face; larger faces cost what it takes to cut them.
-    pub fn of(mesh: &'a PolygonMesh) -> Result<Self, FaceTableError> {
-        let lowest = coincident_vertices(mesh);
+    pub fn watched(mesh: &'a PolygonMesh, watch: &'a Watch) -> Result<Self, SurfaceError> {
+        const STEP: &str = "surface";
+        let lowest = watched_coincident_vertices(mesh, || watch.look(STEP, 0, 0))?;
         let cut = if mesh.faces().is_all_triangles() { None } else { Some(Cut::of(mesh, &lowest)?) };
         let mut surface = Surface {
             mesh,
@@ -58,13 +81,17 @@ impl<'a> Surface<'a> {
             zero_area: Vec::new(),
             unfit: Vec::new(),
             cycles: Cycles::default(),
-            watch: NOBODY,
+            watch,
         };
         let count = mesh.counts().faces;
         let chunks: Vec<Part> = (0..count.div_ceil(CHUNK))
             .into_par_iter()
-            .map(|chunk| surface.part(cut.as_ref(), chunk * CHUNK..count.min((chunk + 1) * CHUNK)))
-            .collect();
+            .map(|chunk| {
+                watch.look_at_times(STEP, chunk * CHUNK, count)?;
+                Ok(surface.part(cut.as_ref(), chunk * CHUNK..count.min((chunk + 1) * CHUNK)))
+            })
+            .collect::<Result<_, Cancelled>>()?;
+        watch.look(STEP, count, count)?;
         for part in chunks {
             let before = surface.triangles.len() as u32;
             surface.starts.extend(part.starts.into_iter().map(|start| before + start));
@@ -77,12 +104,6 @@ impl<'a> Surface<'a> {
             surface.cycles = Cycles::of(mesh, |vertex| surface.place(vertex), &surface.unfit);
         }
         Ok(surface)
-    }
-
-    /// The surface, all questions about which are watched by somebody.
-    #[must_use]
-    pub fn watched(self, watch: &'a Watch) -> Self {
-        Surface { watch, ..self }
     }
 
     /// Who watches what is asked about it.

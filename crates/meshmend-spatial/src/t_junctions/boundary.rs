@@ -5,7 +5,7 @@ use std::sync::Arc;
 use meshmend_core::{
     Cancelled, Complex, CornerId, EdgeId, EdgeTable, FaceId, FaceTable, Id, PolygonMesh, VertexId, Watch,
 };
-use meshmend_geometry::coincident::coincident_vertices;
+use meshmend_geometry::coincident::watched_coincident_vertices;
 use meshmend_geometry::vector::{Point, is_finite};
 
 use super::STEP;
@@ -38,10 +38,12 @@ impl Boundary {
     ///
     /// *Cost*: that of the mesh's edges, and of those of the joined one if vertices share positions.
     pub(crate) fn welded(mesh: &PolygonMesh, watch: &Watch) -> Result<Self, Cancelled> {
-        let faces = welded_faces(mesh).map(Arc::new);
+        let faces = welded_faces(mesh, STEP, watch)?.map(Arc::new);
         watch.look(STEP, 0, 0)?;
         let of_faces = faces.as_ref().map(Complex::of);
         let complex = of_faces.as_ref().unwrap_or_else(|| mesh.complex());
+        watch.look(STEP, 0, 0)?;
+        complex.edges();
         watch.look(STEP, 0, 0)?;
         Ok(Self::of(complex, mesh.positions()))
     }
@@ -110,13 +112,20 @@ impl Boundary {
 }
 
 /// The faces of a mesh, each vertex being the lowest one at its position; `None` if each is already.
-pub(crate) fn welded_faces(mesh: &PolygonMesh) -> Option<FaceTable> {
-    let lowest = coincident_vertices(mesh);
+///
+/// # Errors
+/// When whoever watches the step stops it.
+pub(crate) fn welded_faces(
+    mesh: &PolygonMesh,
+    step: &'static str,
+    watch: &Watch,
+) -> Result<Option<FaceTable>, Cancelled> {
+    let lowest = watched_coincident_vertices(mesh, || watch.look(step, 0, 0))?;
     if lowest.iter().enumerate().all(|(vertex, low)| low.index() == vertex) {
-        return None;
+        return Ok(None);
     }
     let faces = mesh.faces();
     let corners = faces.corner_vertices().iter().map(|vertex| lowest[vertex.index()]).collect();
     // As many corners as before, and vertices of the same mesh.
-    faces.over(faces.vertex_count(), corners).ok()
+    Ok(faces.over(faces.vertex_count(), corners).ok())
 }

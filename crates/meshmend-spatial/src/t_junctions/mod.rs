@@ -69,12 +69,17 @@ pub fn t_junctions(mesh: &PolygonMesh, within: f64, watch: &Watch) -> Result<Vec
     watch.look(STEP, 0, 0)?;
     let boundary = Boundary::welded(mesh, watch)?;
     let on = vertices_on_edges(mesh.positions(), &boundary, within, watch)?;
-    let found = on.pairs().par_iter().map(|&(edge, vertex)| TJunction {
-        is_aligned: on.is_aligned(&boundary, edge, vertex),
-        distance: if within > 0.0 { distance(mesh.positions(), &boundary, edge, vertex) } else { 0.0 },
-        ..junction(&boundary, edge, vertex)
+    watch.look(STEP, 0, 0)?;
+    let pairs = on.pairs();
+    let found = pairs.par_iter().enumerate().map(|(place, &(edge, vertex))| {
+        watch.look_at_times(STEP, place, pairs.len())?;
+        Ok(TJunction {
+            is_aligned: on.is_aligned(&boundary, edge, vertex),
+            distance: if within > 0.0 { distance(mesh.positions(), &boundary, edge, vertex) } else { 0.0 },
+            ..junction(&boundary, edge, vertex)
+        })
     });
-    let mut found: Vec<TJunction> = found.collect();
+    let mut found = found.collect::<Result<Vec<TJunction>, Cancelled>>()?;
     found.par_sort_unstable_by_key(|junction| (junction.vertex, junction.ends));
     Ok(found)
 }

@@ -33,7 +33,8 @@ pub(crate) fn vertices_on_edges(
     let count = boundary.edges().len();
     watch.look(STEP, 0, count)?;
     let vertices = boundary.vertices();
-    let tree = PointTree::of(vertices.iter().map(|vertex| positions[vertex.index()]));
+    let points = vertices.iter().map(|vertex| positions[vertex.index()]);
+    let tree = PointTree::watched(points, &|| watch.look(STEP, 0, count))?;
     let of_edge = |edge: u32| {
         let ends = boundary.edges()[edge as usize].ends.map(|end| positions[end.index()]);
         let mut found = Vec::new();

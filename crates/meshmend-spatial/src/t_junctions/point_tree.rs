@@ -1,9 +1,14 @@
 //! Points in boxes in boxes, for those near a segment.
 
+use std::convert::Infallible;
+
 use meshmend_geometry::vector::{Point, minus};
 
 /// Most points of a box that is not divided.
 const LEAF: usize = 8;
+
+/// Points of a box before whose division it is asked whether to go on.
+const LARGE: usize = 1 << 14;
 
 /// A tree of boxes over finite points.
 pub(crate) struct PointTree {
@@ -27,16 +32,25 @@ impl PointTree {
     ///
     /// *Cost*: O(n log n); 40 bytes a point.
     pub(crate) fn of(points: impl Iterator<Item = Point>) -> Self {
-        let points = points.zip(0u32..).collect();
-        let mut tree = PointTree { points, boxes: Vec::new() };
-        if !tree.points.is_empty() {
-            tree.divide(0, tree.points.len());
-        }
+        let Ok(tree) = Self::watched(points, &|| Ok::<(), Infallible>(()));
         tree
     }
 
+    /// The same. From time to time it is asked whether to go on.
+    pub(crate) fn watched<E>(
+        points: impl Iterator<Item = Point>,
+        goes_on: &impl Fn() -> Result<(), E>,
+    ) -> Result<Self, E> {
+        let points = points.zip(0u32..).collect();
+        let mut tree = PointTree { points, boxes: Vec::new() };
+        if !tree.points.is_empty() {
+            tree.divide(0, tree.points.len(), goes_on)?;
+        }
+        Ok(tree)
+    }
+
     /// Makes the boxes of some points; no deeper than the logarithm of their number.
-    fn divide(&mut self, first: usize, end: usize) {
+    fn divide<E>(&mut self, first: usize, end: usize, goes_on: &impl Fn() -> Result<(), E>) -> Result<(), E> {
         let points = &mut self.points[first..end];
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for (point, _) in &*points {
@@ -46,7 +60,10 @@ impl PointTree {
         let here = self.boxes.len();
         self.boxes.push(PointBox { low, high, first: first as u32, end: end as u32, second: 0 });
         if points.len() <= LEAF {
-            return;
+            return Ok(());
+        }
+        if points.len() >= LARGE {
+            goes_on()?;
         }
         let size = |axis: usize| high[axis] / 2.0 - low[axis] / 2.0;
         let axis = (1..3).fold(0, |most, axis| if size(axis) > size(most) { axis } else { most });
@@ -54,9 +71,9 @@ impl PointTree {
         points.select_nth_unstable_by(middle, |(a, one), (b, other)| {
             a[axis].total_cmp(&b[axis]).then(one.cmp(other))
         });
-        self.divide(first, first + middle);
+        self.divide(first, first + middle, goes_on)?;
         self.boxes[here].second = self.boxes.len() as u32;
-        self.divide(first + middle, end);
+        self.divide(first + middle, end, goes_on)
     }
 
     /// Visits the numbers of all points that are not farther than a distance from a segment, and of some others near it.

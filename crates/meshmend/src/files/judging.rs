@@ -62,7 +62,7 @@ impl Judging {
         watch: &Watch,
     ) -> Result<KeptChecks, PassError> {
         let report = match repaired.topology.take() {
-            Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, self.rules),
+            Some(topology) => CheckReport::of_topology(repaired.mesh.clone(), *topology, self.rules, watch)?,
             None => check(&repaired.mesh, &CheckOptions::default().with_rules(self.rules).with_watch(watch))?,
         };
         let report = self.with_geometry(report, watch)?;

@@ -46,12 +46,14 @@ impl GeometryReport {
         let mut report = GeometryReport::default();
         if [Question::Crossings, Question::Nesting, Question::Internal].into_iter().any(asks) {
             watch.look("surface", 0, 0)?;
-            report.ask_surface(&Surface::of(mesh)?.watched(watch), options)?;
+            report.ask_surface(&Surface::watched(mesh, watch)?, options)?;
         }
         if asks(Question::TJunctions) {
             report.t_junctions = Some(t_junctions(mesh, near(mesh, options)?, watch)?);
             watch.look("loops", 0, 0)?;
-            report.loops = Some(open_loops(&EdgeUse::build(mesh.complex())?, mesh));
+            mesh.complex().edges();
+            watch.look("loops", 0, 0)?;
+            report.loops = Some(open_loops(&EdgeUse::build(mesh.complex())?, mesh, watch)?);
         }
         if asks(Question::Shape) {
             watch.look("shape", 0, 0)?;

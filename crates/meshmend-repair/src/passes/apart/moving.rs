@@ -118,7 +118,7 @@ impl Crossing<'_> {
     ) -> Result<Vec<Vec<[FaceId; 2]>>, PassError> {
         let faces = self.mesh.faces();
         let mesh = PolygonMesh::new(positions.to_vec(), faces.clone()).map_err(DraftError::from)?;
-        let surface = Surface::of(&mesh)?.watched(self.watch);
+        let surface = Surface::watched(&mesh, self.watch)?;
         let search = CrossingSearch::new(&surface)?;
         let complex = self.mesh.complex().faces();
         let pairs = |vertex: &VertexId| {

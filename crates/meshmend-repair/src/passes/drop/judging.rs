@@ -6,7 +6,7 @@ use meshmend_spatial::{
     Budget, InternalFaces, IntersectionOptions, Nesting, Surface, internal_faces, intersections, nesting,
 };
 
-use super::{DropParts, DroppedComponent, Internal, SmallComponents};
+use super::{DropParts, DroppedComponent, Internal, ROW, SmallComponents};
 use crate::PassError;
 use crate::fates::Fates;
 
@@ -41,7 +41,7 @@ impl Going {
 
 /// What is to go of a mesh as it is.
 pub(super) fn judged(options: &DropParts, mesh: &PolygonMesh, watch: &Watch) -> Result<Judged, PassError> {
-    let surface = Surface::of(mesh)?.watched(watch);
+    let surface = Surface::watched(mesh, watch)?;
     let nesting = nesting(&surface)?;
     let inside = match options.internal {
         Internal::Keep => InternalFaces::default(),
@@ -51,7 +51,9 @@ pub(super) fn judged(options: &DropParts, mesh: &PolygonMesh, watch: &Watch) -> 
         }
     };
     let is_inside = inside.whole_components(&nesting);
+    watch.look(ROW.name, 0, 0)?;
     let areas = areas(&surface, &nesting);
+    watch.look(ROW.name, 0, 0)?;
     let reason = |at: usize| {
         let component = &nesting.components[at];
         if is_inside[at] {
@@ -81,6 +83,7 @@ pub(super) fn judged(options: &DropParts, mesh: &PolygonMesh, watch: &Watch) -> 
             going.push(Going { face, reason, component_faces });
         }
     }
+    watch.look(ROW.name, 0, 0)?;
     let components = dropped(&nesting, &areas, &reasons);
     let mixed = inside.mixed.iter().filter(|&&face| fates.stays(face)).count();
     Ok(Judged { fates, going, components, mixed })

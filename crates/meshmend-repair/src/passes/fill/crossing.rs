@@ -1,12 +1,13 @@
 //! What covers of holes cross: faces of the mesh, each other, and themselves.
 
-use meshmend_core::{Cancelled, VertexId};
+use meshmend_core::{Cancelled, VertexId, Watch};
 use meshmend_geometry::polygon::Triangle;
 use meshmend_geometry::vector::Point;
 use meshmend_spatial::boxes::{Bounds, BoxTree, Query};
 use meshmend_spatial::{CrossingSearch, Surface, do_cross};
 use rayon::prelude::*;
 
+use super::ROW;
 use super::hole::{Cover, Hole};
 use super::record::{Crossed, FillCrossing};
 
@@ -40,7 +41,7 @@ pub(super) fn crossings(
     let search = CrossingSearch::new(surface)?;
     let first = |(place, piece): (usize, &Piece)| {
         if place.is_multiple_of(BETWEEN_LOOKS) {
-            surface.watch().look("fill", place, pieces.len())?;
+            surface.watch().look(ROW.name, place, pieces.len())?;
         }
         Ok(search.first_crossing(piece.points))
     };
@@ -52,7 +53,7 @@ pub(super) fn crossings(
         }
     }
     // By the later one of the two: what comes before it is decided then.
-    for (other, one) in crossing_pieces(&pieces) {
+    for (other, one) in crossing_pieces(&pieces, surface.watch())? {
         let (one, other) = (&pieces[one], &pieces[other]);
         let is_there = one.hole == other.hole || is_made(found[other.hole].as_ref());
         if found[one.hole].is_none() && is_there {
@@ -76,19 +77,22 @@ fn pieces(holes: &[Covered<'_>]) -> Vec<Piece> {
 }
 
 /// The pairs of pieces that cross, the lower one first, ascending by the higher one.
-fn crossing_pieces(pieces: &[Piece]) -> Vec<(usize, usize)> {
+fn crossing_pieces(pieces: &[Piece], watch: &Watch) -> Result<Vec<(usize, usize)>, Cancelled> {
     let bounds = |at: usize| Bounds::of(pieces[at].points);
-    let tree = BoxTree::over(pieces.len(), bounds);
+    let tree = BoxTree::watched(pieces.len(), bounds, (watch, ROW.name))?;
     let queries: Vec<Query> =
         (0..pieces.len()).map(|at| Query { bounds: bounds(at), from: at as u32 + 1 }).collect();
     let mut pairs = Vec::new();
-    tree.each_overlap(&queries, bounds, |one, other| {
-        if do_cross(pieces[one].points, pieces[other].points) {
-            pairs.push((one, other));
-        }
-    });
+    for (first, queries) in (0..).step_by(BETWEEN_LOOKS).zip(queries.chunks(BETWEEN_LOOKS)) {
+        watch.look(ROW.name, first, pieces.len())?;
+        tree.each_overlap(queries, bounds, |one, other| {
+            if do_cross(pieces[first + one].points, pieces[other].points) {
+                pairs.push((first + one, other));
+            }
+        });
+    }
     pairs.sort_unstable_by_key(|&(one, other)| (other, one));
-    pairs
+    Ok(pairs)
 }
 
 fn crossing(holes: &[Covered<'_>], piece: &Piece, with: Crossed) -> FillCrossing {

@@ -49,7 +49,10 @@ pub(super) fn filled(
             holes.iter().zip(covers.iter().map(|cover| cover.as_ref().ok())).collect();
         let is_made =
             |crossing: Option<&FillCrossing>| options.crossing == CrossingFills::Keep || crossing.is_none();
-        let crossings = crossings(&Surface::of(mesh)?.watched(context.watch()), &covered, is_made)?;
+        let surface = Surface::watched(mesh, context.watch())?;
+        context.check_cancelled()?;
+        let crossings = crossings(&surface, &covered, is_made)?;
+        context.check_cancelled()?;
         for ((hole, cover), crossing) in holes.iter().zip(&covers).zip(crossings) {
             let made = cover.as_ref().ok().filter(|_| is_made(crossing.as_ref()));
             made.iter().for_each(|cover| built.add(hole, cover));
@@ -67,6 +70,7 @@ pub(super) fn filled(
         let (edges, length, turned) = (found.vertices.len(), found.length, found.turned);
         LoopRecord { first_vertex, edges, length, turned, fate, crossing }
     };
+    context.check_cancelled()?;
     let records = judged.iter().map(record).collect();
     Ok(Filled { records, closed: built.take_closed(), mesh: built.mesh()? })
 }

@@ -54,7 +54,7 @@ impl KernelTask for Judge<'_> {
 
     fn run<K: Connectivity>(self, kernel: &K) -> Self::Output {
         self.context.check_cancelled()?;
-        let loops = open_loops(kernel, self.mesh);
+        let loops = open_loops(kernel, self.mesh, self.context.watch())?;
         if loops.is_empty() {
             return Ok(Vec::new());
         }

@@ -20,9 +20,16 @@ use smallvec::SmallVec;
 use super::radial::{RadialUse, radial_order};
 use crate::copies::Copies;
 use crate::matching::{Matching, may_match, run_the_same_way};
+use crate::{Context, PassError};
 use meshmend_geometry::SignedVolume;
 
+/// Edges between two looks.
+const BETWEEN_LOOKS: usize = 4096;
+
 /// Completes a matching at the edges where two or more uses are free.
+///
+/// # Errors
+/// When whoever watches the pass stops it.
 ///
 /// *Cost*: O(n + Σ d log d) over the degrees d of those edges.
 pub(super) fn match_sheets<K: Connectivity>(
@@ -30,26 +37,33 @@ pub(super) fn match_sheets<K: Connectivity>(
     mesh: &PolygonMesh,
     copies: Option<&Copies>,
     matching: &mut Matching,
-) {
+    context: &Context<'_>,
+) -> Result<(), PassError> {
     let wanting = |&edge: &EdgeId| {
         kernel.edge_corners(edge).take(3).count() == 3
             && kernel.edge_corners(edge).filter(|&c| matching.is_free(c)).take(2).count() == 2
     };
     let edges: Vec<EdgeId> = kernel.edges().filter(wanting).collect();
     if edges.is_empty() {
-        return;
+        return Ok(());
     }
+    context.check_cancelled()?;
     let patches = PatchSides::of(kernel, mesh, matching);
-    let pair_up = |&edge: &EdgeId| {
+    let pair_up = |(place, &edge): (usize, &EdgeId)| {
+        if place.is_multiple_of(BETWEEN_LOOKS) {
+            context.look(place, edges.len())?;
+        }
         let order = radial_order(kernel, mesh, edge);
         let mut round =
             Round { kernel, copies, patches: &patches, is_free: Vec::new(), pairs: Vec::new(), order };
         round.is_free = round.order.iter().map(|u| matching.is_free(u.corner)).collect();
         round.match_all();
-        round.corner_pairs()
+        Ok(round.corner_pairs())
     };
-    let pairs: Vec<Vec<_>> = edges.par_iter().map(pair_up).collect();
+    let pairs = edges.par_iter().enumerate().map(pair_up).collect::<Result<Vec<Vec<_>>, PassError>>()?;
+    context.check_cancelled()?;
     pairs.into_iter().flatten().for_each(|(one, other)| matching.pair(one, other));
+    Ok(())
 }
 
 /// The patch of each face by number, and which patches are read inside out.

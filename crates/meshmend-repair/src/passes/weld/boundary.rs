@@ -9,11 +9,12 @@
 
 use std::sync::Arc;
 
-use meshmend_core::{Complex, DraftError, Id, PolygonMesh, VertexId};
+use meshmend_core::{Cancelled, Complex, DraftError, Id, PolygonMesh, VertexId, Watch};
 use meshmend_geometry::proximity::Nearness;
 use meshmend_geometry::vector::{dot, is_finite, minus};
 use meshmend_spatial::near_pairs;
 
+use super::ROW;
 use crate::{Context, PassError};
 
 /// So many pairs for each boundary vertex, and so many beside, are looked at; a distance that makes more of them is larger than
@@ -50,12 +51,13 @@ fn joined_once(
     let open = OpenEdges::of(mesh, &exact)?;
     context.check_cancelled()?;
     let most = open.most_pairs();
-    let Some(pairs) = near_pairs(&open.points, epsilon, most) else {
+    let watch = (context.watch(), ROW.name);
+    let Some(pairs) = near_pairs(&open.points, epsilon, most, watch)? else {
         let reason = format!(
             "more than {most} pairs of the {} vertices of open edges are within {epsilon:e}; take a smaller distance",
             open.points.len()
         );
-        return Err(PassError::Request { pass: "weld", reason });
+        return Err(PassError::Request { pass: ROW.name, reason });
     };
     context.check_cancelled()?;
     let mut classes = open.classes();
@@ -139,10 +141,17 @@ impl OpenEdges {
     }
 
     /// The pairs of vertices within a distance, nearest first, and that distance; a shorter one where there are very many.
-    pub(crate) fn near_pairs(&self, mut within: f64) -> (Vec<NearPair>, f64) {
+    ///
+    /// # Errors
+    /// When whoever watches the step stops it.
+    pub(crate) fn near_pairs(
+        &self,
+        mut within: f64,
+        watch: (&Watch, &'static str),
+    ) -> Result<(Vec<NearPair>, f64), Cancelled> {
         let most = self.most_pairs();
         let pairs = loop {
-            match near_pairs(&self.points, within, most) {
+            match near_pairs(&self.points, within, most, watch)? {
                 Some(pairs) => break pairs,
                 None => within /= 2.0,
             }
@@ -152,7 +161,8 @@ impl OpenEdges {
             let between = minus(one, other);
             dot(between, between).sqrt()
         };
-        (pairs.into_iter().map(|places| NearPair { distance: distance(places), places }).collect(), within)
+        let pairs = pairs.into_iter().map(|places| NearPair { distance: distance(places), places });
+        Ok((pairs.collect(), within))
     }
 
     /// How many of the edges coincide with others after a weld along open edges within a distance. `exact` are the classes that
