@@ -43,7 +43,12 @@ impl InputWords {
 
     /// Reads a file, or standard input, with the default limits, with all its parts.
     pub(crate) fn read_document(self, path: &Path, console: &mut Console<'_>) -> Result<Document, Failure> {
-        self.document_told_by("--from", path, console)
+        self.document_told_by("--from", path, &ReadOptions::default(), console)
+    }
+
+    /// Reads a document whose meshes will be welded, as [`read_document`](Self::read_document) does.
+    pub(crate) fn read_to_weld(self, path: &Path, console: &mut Console<'_>) -> Result<Document, Failure> {
+        self.document_told_by("--from", path, &ReadOptions::default().with_shared_places(), console)
     }
 
     /// Reads as [`read`](Self::read) does, for a command that is told the format by another option.
@@ -53,7 +58,7 @@ impl InputWords {
         path: &Path,
         console: &mut Console<'_>,
     ) -> Result<ReadFile, Failure> {
-        let document = self.document_told_by(option, path, console)?;
+        let document = self.document_told_by(option, path, &ReadOptions::default(), console)?;
         as_one_mesh(document, Placing::Scene, path)
     }
 
@@ -61,9 +66,10 @@ impl InputWords {
         self,
         option: &str,
         path: &Path,
+        options: &ReadOptions,
         console: &mut Console<'_>,
     ) -> Result<Document, Failure> {
-        let options = ReadOptions::default().with_format(self.from);
+        let options = options.clone().with_format(self.from);
         if !is_stream(path) {
             return Ok(read_document(path, &options)?);
         }

@@ -61,7 +61,7 @@ pub use kernel::{
     vertex_classes,
 };
 pub use lists::Lists;
-pub use polygon_mesh::{Counts, MeshArrays, MeshError, Metadata, PolygonMesh};
+pub use polygon_mesh::{Counts, MeshArrays, MeshError, Metadata, PolygonMesh, SharedPlaces};
 pub use printable::printable;
 pub use watch::{Cancelled, ITEMS_BETWEEN_LOOKS, Progress, Watch};
 pub use words::counted;

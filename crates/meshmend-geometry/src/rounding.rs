@@ -21,6 +21,9 @@ pub struct Rounding {
 ///
 /// *Cost*: linear where nothing moves; else n log n.
 pub fn in_single_precision(mesh: &PolygonMesh) -> Option<(PolygonMesh, Rounding)> {
+    if mesh.shared_places().is_some_and(|shared| !shared.points().iter().any(|point| is_moved(*point))) {
+        return None;
+    }
     let rounded = rounded_to_single(mesh.positions())?;
     let faces = mesh.faces();
     let corners = |face| faces.face_vertices(face).iter().map(|vertex| vertex.index());

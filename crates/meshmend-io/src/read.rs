@@ -50,6 +50,7 @@ pub fn read_document(path: &Path, options: &ReadOptions) -> Result<Document, Rea
             name: &name,
             pace: Pace::NONE,
             folder: folder.as_ref(),
+            shared_places: options.shared_places,
             watch: &options.watch,
         };
         if let Some(parsed) = (driver(told.format).read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
@@ -134,7 +135,8 @@ struct Named<'a> {
 fn read_as(bytes: &[u8], named: Named<'_>, options: &ReadOptions) -> Result<Document, ReadError> {
     let (limits, Named { name, path, folder }) = (&options.limits, named);
     let pace = Pace::of(bytes.len());
-    let source = Source { bytes, length: bytes.len(), name, pace, folder, watch: &options.watch };
+    let (shared_places, watch) = (options.shared_places, &options.watch);
+    let source = Source { bytes, length: bytes.len(), name, pace, folder, shared_places, watch };
     source.limited("bytes", bytes.len() as u64, limits.max_file_bytes)?;
     let told = Told::of(options.format, path, bytes, bytes.len() as u64);
     let told = told.map_err(|kind| ReadError { file: name.to_owned(), place: Place::File, kind })?;

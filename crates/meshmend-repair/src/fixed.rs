@@ -1,6 +1,6 @@
 //! What a pass fixed, in little memory.
 
-use meshmend_core::{Defect, EdgeId, Id, VertexId};
+use meshmend_core::{Defect, EdgeId, Id, SharedPlaces, VertexId};
 
 /// What was wrong and no longer is, by ids of the mesh before.
 ///
@@ -11,16 +11,51 @@ pub struct Fixed {
     listed: Vec<Defect>,
     /// Inconsistent edges with their ends, ascending.
     turned: Vec<(EdgeId, [VertexId; 2])>,
-    /// For each vertex the one that it was joined to, or itself.
-    joined_to: Vec<VertexId>,
+    joined_to: JoinedTo,
     joined: usize,
+}
+
+/// For each vertex the one that it was joined to, or itself.
+#[derive(Clone, Debug)]
+enum JoinedTo {
+    Listed(Vec<VertexId>),
+    /// The first vertex at the place of each.
+    Places(SharedPlaces, Vec<VertexId>),
+}
+
+impl Default for JoinedTo {
+    fn default() -> Self {
+        JoinedTo::Listed(Vec::new())
+    }
+}
+
+impl JoinedTo {
+    fn of(&self, vertex: usize) -> VertexId {
+        match self {
+            JoinedTo::Listed(listed) => listed[vertex],
+            JoinedTo::Places(places, first) => first[places.of_vertex()[vertex].index()],
+        }
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            JoinedTo::Listed(listed) => listed.len(),
+            JoinedTo::Places(places, _) => places.of_vertex().len(),
+        }
+    }
 }
 
 impl Fixed {
     /// The vertices that were joined to others: for each vertex the lowest one of its class.
     pub(crate) fn joined(joined_to: Vec<VertexId>) -> Self {
         let joined = joined_to.iter().enumerate().filter(|(v, low)| low.index() != *v).count();
-        Fixed { joined_to, joined, ..Fixed::default() }
+        Fixed { joined_to: JoinedTo::Listed(joined_to), joined, ..Fixed::default() }
+    }
+
+    /// The vertices that were joined to the first one at their place.
+    pub(crate) fn sharing(places: SharedPlaces, first: Vec<VertexId>) -> Self {
+        let joined = places.of_vertex().len() - first.len();
+        Fixed { joined_to: JoinedTo::Places(places, first), joined, ..Fixed::default() }
     }
 
     /// Inconsistent edges with their ends, ascending, and faces that went before they could be turned.
@@ -40,16 +75,16 @@ impl Fixed {
 
     /// The defects, by kind and id.
     pub fn iter(&self) -> impl Iterator<Item = Defect> + '_ {
-        let joined = self.joined_to.iter().enumerate().filter(|(v, low)| low.index() != *v);
-        let joined = joined.map(|(v, &original)| Defect::coincident_vertex(VertexId::new(v), original));
+        let joined = self.joined_vertices().map(|(v, original)| Defect::coincident_vertex(v, original));
         let turned = self.turned.iter().map(|&(edge, ends)| Defect::inconsistent_edge(edge, ends));
         // A pass joins vertices or turns faces; those that it drops come before edges.
         self.listed.iter().cloned().chain(turned).chain(joined)
     }
 
-    /// For each vertex the one that it was joined to, or itself; empty if no vertex was joined.
-    pub(crate) fn joined_to(&self) -> &[VertexId] {
-        &self.joined_to
+    /// The vertices that were joined to others, each with the one that it was joined to.
+    pub(crate) fn joined_vertices(&self) -> impl Iterator<Item = (VertexId, VertexId)> + '_ {
+        let all = (0..self.joined_to.len()).map(|vertex| (VertexId::new(vertex), self.joined_to.of(vertex)));
+        all.filter(|(vertex, low)| vertex != low)
     }
 
     /// The defects but for vertices that were joined and edges whose faces were turned.

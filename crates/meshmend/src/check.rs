@@ -176,7 +176,7 @@ impl CheckReport {
         const STEP: &str = "report";
         let (mut coincident, mut joined_in_single, mut apart_in_pose) = (Vec::new(), 0, 0);
         if matches!(view, View::Indexed | View::Welded(Distance::Exact)) {
-            let found = Coincidence::watched(mesh.positions(), || watch.look(STEP, 0, 0))?;
+            let found = Coincidence::of_mesh(&mesh, || watch.look(STEP, 0, 0))?;
             let Coincidence { exactly, only_in_single } = found;
             let joined = |lowest: &[VertexId]| {
                 lowest.iter().enumerate().filter(|(v, low)| low.0 as usize != *v).count()

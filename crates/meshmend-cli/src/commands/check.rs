@@ -202,7 +202,7 @@ impl Check {
     ) -> Result<CheckedFile, Failure> {
         let progress = console.progress(2);
         progress.step(&format!("read {}", name(path)));
-        let mut document = self.from.read_document(path, console)?;
+        let mut document = self.from.read_to_weld(path, console)?;
         if let Some(place) = self.place {
             document = as_one_mesh(document, place.into(), path)?.into();
         }

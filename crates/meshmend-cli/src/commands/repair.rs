@@ -69,7 +69,7 @@ impl Repair {
 
         let progress = console.progress(repair.plan.passes.len() + 4);
         progress.step("read");
-        let document = self.from.read_document(&self.input, console)?;
+        let document = self.from.read_to_weld(&self.input, console)?;
         let target = self.target(&document, &repair.plan)?;
         let mut repaired = repair.run(&name(&self.input), document, target.as_ref(), &progress.watch())?;
         let is_withheld = self.words.gate.withholds(repaired.failing());

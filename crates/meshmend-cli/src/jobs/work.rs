@@ -105,7 +105,7 @@ impl Work {
 
 /// Reads the file of a job, and says in the row what was read.
 fn read(job: &Job, piped: &[u8], row: Row) -> Result<(Document, Row), Ended> {
-    let options = ReadOptions::default();
+    let options = ReadOptions::default().with_shared_places();
     let unreadable = |error: ReadError| Box::new(row.clone().unreadable(&error));
     let (document, digest, size) = match &job.input {
         JobInput::Bytes(size) => {

@@ -13,6 +13,8 @@
 //!
 //! [`Complex`]: crate::Complex
 
+use std::sync::Arc;
+
 use crate::{CornerId, FaceId, FaceTableError, Id, MAX_CORNERS, VertexId};
 
 /// The faces of a mesh, each a cyclic sequence of vertices: the input of every kernel.
@@ -21,7 +23,8 @@ pub struct FaceTable {
     vertex_count: usize,
     /// Where each face's corners begin, and one more; absent when every face is a triangle.
     starts: Option<Vec<u32>>,
-    corners: Vec<VertexId>,
+    /// Shared with other tables, and with the places of a soup's vertices.
+    corners: Arc<Vec<VertexId>>,
 }
 
 /// Two tables are equal when they hold the same faces, however they are stored.
@@ -47,7 +50,7 @@ impl FaceTable {
         if !corners.len().is_multiple_of(3) {
             return Err(FaceTableError::NotTriangles { corner_count: corners.len() });
         }
-        let table = FaceTable { vertex_count, starts: None, corners };
+        let table = FaceTable { vertex_count, starts: None, corners: Arc::new(corners) };
         table.checked()
     }
 
@@ -74,7 +77,7 @@ impl FaceTable {
         check_starts(&starts, corners.len())?;
         let all_triangles = starts.windows(2).all(|pair| pair[1] - pair[0] == 3);
         let starts = if all_triangles { None } else { Some(starts) };
-        FaceTable { vertex_count, starts, corners }.checked()
+        FaceTable { vertex_count, starts, corners: Arc::new(corners) }.checked()
     }
 
     /// Faces of the same sizes over other vertices.
@@ -89,7 +92,7 @@ impl FaceTable {
             let (found, expected) = (corners.len(), self.corners.len());
             return Err(FaceTableError::CornerCount { found, expected });
         }
-        FaceTable { vertex_count, starts: self.starts.clone(), corners }.checked()
+        FaceTable { vertex_count, starts: self.starts.clone(), corners: Arc::new(corners) }.checked()
     }
 
     /// A table of faces that a builder has collected.
@@ -98,7 +101,18 @@ impl FaceTable {
         starts: Option<Vec<u32>>,
         corners: Vec<VertexId>,
     ) -> Result<Self, FaceTableError> {
-        FaceTable { vertex_count, starts, corners }.checked()
+        FaceTable { vertex_count, starts, corners: Arc::new(corners) }.checked()
+    }
+
+    /// Faces of the same sizes, whose corner `c` is `corners[c]`, if the corners of this table are the vertices in order.
+    ///
+    /// *Cost*: one pass over the corners; nothing is copied but starts.
+    pub(crate) fn over_shared(&self, vertex_count: usize, corners: &Arc<Vec<VertexId>>) -> Option<Self> {
+        let is_soup = || self.corners.iter().zip(0..).all(|(vertex, corner)| vertex.0 == corner);
+        if corners.len() != self.corners.len() || !is_soup() {
+            return None;
+        }
+        FaceTable { vertex_count, starts: self.starts.clone(), corners: Arc::clone(corners) }.checked().ok()
     }
 
     fn checked(self) -> Result<Self, FaceTableError> {
@@ -125,7 +139,7 @@ impl FaceTable {
 
     /// A table without a face.
     pub fn empty(vertex_count: usize) -> Self {
-        FaceTable { vertex_count, starts: None, corners: Vec::new() }
+        FaceTable { vertex_count, starts: None, corners: Arc::default() }
     }
 
     /// How many vertices the corners may name; some may be in no face.

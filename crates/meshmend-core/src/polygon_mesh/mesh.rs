@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use super::points::{Points, SharedPlaces};
 use crate::{Complex, Counts, Domain, FaceTable, Id, Layer, MeshError, Metadata, VertexId};
 
 /// An immutable polygon mesh. Cloning is O(1); every change makes a new mesh.
@@ -15,7 +16,7 @@ use crate::{Complex, Counts, Domain, FaceTable, Id, Layer, MeshError, Metadata, 
 /// ```
 #[derive(Clone, Debug)]
 pub struct PolygonMesh {
-    positions: Arc<Vec<[f64; 3]>>,
+    positions: Arc<Points>,
     faces: Arc<FaceTable>,
     loose_edges: Arc<Vec<[VertexId; 2]>>,
     loose_points: Arc<Vec<VertexId>>,
@@ -30,6 +31,18 @@ impl PolygonMesh {
     /// # Errors
     /// When the faces were made for another number of vertices.
     pub fn new(positions: Vec<[f64; 3]>, faces: FaceTable) -> Result<Self, MeshError> {
+        Self::of_points(positions.into(), faces)
+    }
+
+    /// A mesh whose vertices share places. Its [positions](Self::positions) are listed when they are first asked for.
+    ///
+    /// # Errors
+    /// When the faces were made for another number of vertices.
+    pub fn of_shared_places(places: SharedPlaces, faces: FaceTable) -> Result<Self, MeshError> {
+        Self::of_points(places.into(), faces)
+    }
+
+    fn of_points(positions: Points, faces: FaceTable) -> Result<Self, MeshError> {
         if faces.vertex_count() != positions.len() {
             return Err(MeshError::VertexCount { faces: faces.vertex_count(), positions: positions.len() });
         }
@@ -37,9 +50,9 @@ impl PolygonMesh {
     }
 
     /// A mesh of positions and faces over as many vertices.
-    pub(super) fn of_fitting(positions: Vec<[f64; 3]>, faces: FaceTable) -> Self {
+    pub(super) fn of_fitting(positions: impl Into<Points>, faces: FaceTable) -> Self {
         PolygonMesh {
-            positions: Arc::new(positions),
+            positions: Arc::new(positions.into()),
             faces: Arc::new(faces),
             loose_edges: Arc::default(),
             loose_points: Arc::default(),
@@ -112,13 +125,29 @@ impl PolygonMesh {
     }
 
     /// The point of each vertex.
+    ///
+    /// *Cost*: constant, but for a mesh of [shared places](Self::shared_places), whose points are listed the first time.
     pub fn positions(&self) -> &[[f64; 3]] {
-        &self.positions
+        self.positions.each()
+    }
+
+    /// The places that vertices share, if it was found out when the mesh was made.
+    pub fn shared_places(&self) -> Option<&SharedPlaces> {
+        self.positions.shared()
+    }
+
+    /// The faces over the places that vertices share, of which each is a vertex: those of the welded mesh, but for places that are
+    /// equal. `None` if no places are known, or the corners of the faces are not the vertices in order.
+    ///
+    /// *Cost*: one pass over the corners, of which none is copied.
+    pub fn faces_at_places(&self) -> Option<FaceTable> {
+        let places = self.shared_places()?;
+        self.faces.over_shared(places.points().len(), places.shared_of_vertex())
     }
 
     /// The point of one vertex.
     pub fn position(&self, vertex: VertexId) -> [f64; 3] {
-        self.positions[vertex.index()]
+        self.positions.of(vertex.index())
     }
 
     /// The faces as stored.
@@ -187,7 +216,7 @@ impl PolygonMesh {
 
     /// Whether all three coordinates of a vertex are finite.
     pub fn is_finite(&self, vertex: VertexId) -> bool {
-        self.positions[vertex.index()].iter().all(|x| x.is_finite())
+        self.position(vertex).iter().all(|x| x.is_finite())
     }
 
     /// The mesh with other positions for the same vertices: only for tests of invariance and for front ends that
@@ -199,7 +228,7 @@ impl PolygonMesh {
         if positions.len() != self.positions.len() {
             return Err(MeshError::VertexCount { faces: self.positions.len(), positions: positions.len() });
         }
-        Ok(PolygonMesh { positions: Arc::new(positions), ..self })
+        Ok(PolygonMesh { positions: Arc::new(positions.into()), ..self })
     }
 }
 

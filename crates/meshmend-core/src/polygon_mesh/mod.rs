@@ -5,9 +5,11 @@ mod counts;
 mod error;
 mod mesh;
 mod metadata;
+mod points;
 
 pub use arrays::MeshArrays;
 pub use counts::Counts;
 pub use error::MeshError;
 pub use mesh::PolygonMesh;
 pub use metadata::Metadata;
+pub use points::SharedPlaces;

@@ -1,6 +1,6 @@
 //! For each vertex the lowest one at the same position.
 
-use meshmend_core::{Id, PolygonMesh, VertexId};
+use meshmend_core::{Id, PolygonMesh, SharedPlaces, VertexId};
 use rayon::prelude::*;
 
 use super::equal_keys::{CHUNK, always, lowest_of_equal};
@@ -10,7 +10,8 @@ use crate::vector::{Point, is_finite, place_bits};
 ///
 /// *Cost*: linear; 20 bytes a vertex, and 36 for each that equals another one in single precision alone.
 pub fn coincident_vertices(mesh: &PolygonMesh) -> Vec<VertexId> {
-    Coincidence::of(mesh.positions()).exactly
+    let Ok(lowest) = watched_coincident_vertices(mesh, always);
+    lowest
 }
 
 /// The same while somebody watches, who is asked now and then whether to go on.
@@ -23,7 +24,7 @@ pub fn watched_coincident_vertices<E: Send>(
     mesh: &PolygonMesh,
     goes_on: impl Fn() -> Result<(), E> + Sync,
 ) -> Result<Vec<VertexId>, E> {
-    Ok(Coincidence::watched(mesh.positions(), goes_on)?.exactly)
+    Ok(Coincidence::of_mesh(mesh, goes_on)?.exactly)
 }
 
 /// For each vertex the lowest one at the same position when all coordinates are rounded to single precision; what is
@@ -51,6 +52,31 @@ impl Coincidence {
     pub fn of(positions: &[Point]) -> Self {
         let Ok(found) = Self::watched(positions, always);
         found
+    }
+
+    /// Looks at the points of a mesh while somebody watches, who is asked now and then whether to go on. Of places that vertices
+    /// are known to share each is looked at once.
+    ///
+    /// # Errors
+    /// That of whoever does not go on.
+    ///
+    /// *Cost*: that of [`coincident_vertices`].
+    pub fn of_mesh<E: Send>(
+        mesh: &PolygonMesh,
+        goes_on: impl Fn() -> Result<(), E> + Sync,
+    ) -> Result<Self, E> {
+        if let Some(shared) = mesh.shared_places() {
+            let places = Coincidence::watched(shared.points(), &goes_on)?;
+            goes_on()?;
+            // More vertices than places are in one place in single precision alone: then they are counted one by one.
+            if places.only_in_single == 0 {
+                return Ok(Coincidence {
+                    exactly: lowest_sharing(shared, &places.exactly),
+                    only_in_single: 0,
+                });
+            }
+        }
+        Coincidence::watched(mesh.positions(), goes_on)
     }
 
     /// Looks at some points while somebody watches, who is asked now and then whether to go on.
@@ -83,6 +109,21 @@ impl Coincidence {
         let only_in_single = joined_in_single.saturating_sub(joined_within(&exactly, &doubtful, positions));
         Ok(Coincidence { exactly, only_in_single })
     }
+}
+
+/// For each vertex the lowest one at its position, by the lowest equal one of each place.
+fn lowest_sharing(shared: &SharedPlaces, lowest_place: &[VertexId]) -> Vec<VertexId> {
+    // Places come in the order in which vertices first have them, so the lowest place has the lowest vertex.
+    let mut first = Vec::with_capacity(lowest_place.len());
+    let vertices = shared.of_vertex().iter().enumerate().map(|(vertex, place)| {
+        let (vertex, place) = (VertexId::new(vertex), place.index());
+        if place == first.len() {
+            first.push(vertex);
+        }
+        let point = &shared.points()[place];
+        if is_finite(point) { first[lowest_place[place].index()] } else { vertex }
+    });
+    vertices.collect()
 }
 
 fn equal_in_single<E: Send>(

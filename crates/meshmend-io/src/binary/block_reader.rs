@@ -112,7 +112,15 @@ mod tests {
     }
 
     fn source(head: &[u8], length: usize) -> Source<'_> {
-        Source { bytes: head, length, name: "blocks", pace: Pace::NONE, folder: None, watch: &Watch::NOBODY }
+        Source {
+            bytes: head,
+            length,
+            name: "blocks",
+            pace: Pace::NONE,
+            folder: None,
+            shared_places: false,
+            watch: &Watch::NOBODY,
+        }
     }
 
     #[test]

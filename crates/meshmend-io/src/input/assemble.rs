@@ -1,6 +1,8 @@
 //! The last step of all readers: every index is checked once, and the parts become a mesh.
 
-use meshmend_core::{FaceTableBuilder, Layer, MeshError, Metadata, PolygonMesh, Role, VertexId, counted};
+use meshmend_core::{
+    FaceTableBuilder, Id, Layer, MeshError, Metadata, PolygonMesh, Role, SharedPlaces, VertexId, counted,
+};
 
 use crate::input::indices::MaxIndex;
 use crate::input::notes::Notes;
@@ -12,6 +14,8 @@ use crate::{Limits, NoteKind, Place, ReadError};
 #[derive(Default)]
 pub(crate) struct Parts {
     pub(crate) positions: Vec<[f64; 3]>,
+    /// The places of all vertices, in place of positions, if it is known which of them share one.
+    pub(crate) places: Option<SharedPlaces>,
     pub(crate) faces: FaceTableBuilder,
     pub(crate) loose_edges: Vec<[VertexId; 2]>,
     pub(crate) loose_points: Vec<VertexId>,
@@ -51,12 +55,12 @@ impl Parts {
         first: u64,
         place: impl Fn(usize) -> Place,
     ) -> Result<(PolygonMesh, Notes), ReadError> {
-        let count = self.positions.len();
+        let count = self.places.as_ref().map_or(self.positions.len(), |places| places.of_vertex().len());
         if let Some((index, at)) = self.max_index.beyond(count) {
             let number = u64::from(index) + first;
             return Err(source.malformed(place(at), no_such_vertex(number as i64, count)));
         }
-        let infinite = self.positions.iter().filter(|p| !p.iter().all(|x| x.is_finite())).count() as u64;
+        let infinite = self.infinite();
         let message = "vertices whose position is not finite";
         self.notes.add_many(NoteKind::NonFinite, message, infinite, || Place::File);
         if count == 0 {
@@ -65,11 +69,30 @@ impl Parts {
         // The limits of readers are those of a mesh, so all of this fits.
         let faces = self.faces.build(count).map_err(|e| source.malformed(Place::File, e.to_string()))?;
         let failed = |error: MeshError| source.malformed(Place::File, error.to_string());
-        let mesh = PolygonMesh::new(self.positions, faces).map_err(failed)?;
+        let mesh = match self.places {
+            Some(places) => PolygonMesh::of_shared_places(places, faces),
+            None => PolygonMesh::new(self.positions, faces),
+        };
+        let mesh = mesh.map_err(failed)?;
         let mesh = mesh.with_loose(self.loose_edges, self.loose_points).map_err(failed)?;
         let layers = self.layers.into_iter().map(with_usual_role).collect();
         let mesh = mesh.with_layers(layers).map_err(failed)?;
         Ok((mesh.with_metadata(self.metadata), self.notes))
+    }
+}
+
+impl Parts {
+    /// How many vertices have a position that is not finite.
+    fn infinite(&self) -> u64 {
+        let is_infinite = |point: &[f64; 3]| !point.iter().all(|x| x.is_finite());
+        let Some(places) = &self.places else {
+            return self.positions.iter().filter(|point| is_infinite(point)).count() as u64;
+        };
+        if !places.points().iter().any(is_infinite) {
+            return 0;
+        }
+        let point = |place: &&VertexId| is_infinite(&places.points()[place.index()]);
+        places.of_vertex().iter().filter(point).count() as u64
     }
 }
 

@@ -12,6 +12,9 @@ pub struct ReadOptions {
     pub limits: Limits,
     /// The format, whatever name and content say; by default they decide.
     pub format: Option<Format>,
+    /// Whether the vertices of a soup that share a place are told as it is read, where that is cheap: binary STL. The mesh is the
+    /// same, in half the memory until its [positions](meshmend_core::PolygonMesh::positions) are asked for, and is welded sooner.
+    pub shared_places: bool,
     /// Who watches the reading, and may stop it.
     pub watch: Watch,
 }
@@ -25,6 +28,11 @@ impl ReadOptions {
     /// These options with limits.
     pub fn with_limits(self, limits: Limits) -> Self {
         ReadOptions { limits, ..self }
+    }
+
+    /// These options for a mesh that will be welded.
+    pub fn with_shared_places(self) -> Self {
+        ReadOptions { shared_places: true, ..self }
     }
 
     /// These options for reading that is watched.

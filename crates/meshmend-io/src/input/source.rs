@@ -22,6 +22,8 @@ pub(crate) struct Source<'a> {
     pub(crate) pace: Pace,
     /// The folder of the file, if it was read from one.
     pub(crate) folder: Option<&'a Folder>,
+    /// Whether it is told which vertices share a place, where that is cheap.
+    pub(crate) shared_places: bool,
     /// Who watches the reading.
     pub(crate) watch: &'a Watch,
 }

@@ -32,8 +32,10 @@ use meshmend_geometry::proximity::{NoClasses, proximity_classes};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+mod at_places;
 mod boundary;
 
+use at_places::joined_at_places;
 use boundary::joined_along_boundaries;
 pub(crate) use boundary::{NearPair, OpenEdges};
 
@@ -184,6 +186,11 @@ impl Weld {
 
     /// Joins the vertices within a distance that is known.
     fn join(&self, mesh: &PolygonMesh, context: &Context<'_>) -> Result<Outcome, PassError> {
+        if matches!(self.distance, Distance::Exact | Distance::Auto)
+            && let Some(outcome) = joined_at_places(mesh, context)?
+        {
+            return Ok(outcome);
+        }
         let lowest = match self.distance {
             Distance::Exact | Distance::Auto => in_one_place(mesh, context)?,
             Distance::Single => coincident_in_single(mesh),
@@ -299,14 +306,13 @@ fn not_told(epsilon: f64, reason: NoClasses) -> PassError {
 
 /// The mesh in which each vertex is replaced by the lowest one of its class.
 fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>, context: &Context<'_>) -> Result<Outcome, PassError> {
-    let fixed = Fixed::joined(lowest);
-    if fixed.is_empty() {
+    let kept = lowest.iter().enumerate().filter(|(v, low)| low.index() == *v).count();
+    if kept == lowest.len() {
         return Ok(Outcome::unchanged(mesh));
     }
     context.check_cancelled()?;
-    let lowest = fixed.joined_to();
     let mut new_id = vec![VertexId(0); lowest.len()];
-    let mut sources = Vec::with_capacity(lowest.len() - fixed.len());
+    let mut sources = Vec::with_capacity(kept);
     for (v, &low) in lowest.iter().enumerate() {
         new_id[v] = if low.index() == v {
             sources.push(Some(low));
@@ -325,7 +331,7 @@ fn join_to(mesh: &PolygonMesh, lowest: Vec<VertexId>, context: &Context<'_>) -> 
         merged_into: Some(new_id),
         ..Draft::of_faces(mesh, faces, Sources::same(old.face_count()), Sources::same(old.corner_count()))
     };
-    Ok(Outcome::changed(mesh.rebuild(draft)?, fixed))
+    Ok(Outcome::changed(mesh.rebuild(draft)?, Fixed::joined(lowest)))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What a session gives back when it ends.
 
-use meshmend_core::{Defect, DefectKind, Id, Provenance, VertexId, turned_normals};
+use meshmend_core::{Defect, DefectKind, Id, Provenance, turned_normals};
 
 use super::Session;
 use crate::{FaceStorage, Fixed, PassError, PassKind, PassRecord, Repaired};
@@ -62,11 +62,10 @@ impl Session {
     fn stitched(&self, storage: &FaceStorage, is_same: bool) -> usize {
         let Some(weld) = self.records.first() else { return 0 };
         if is_same {
-            return weld.fixed.joined_to().iter().enumerate().filter(|(v, low)| low.index() != *v).count();
+            return weld.fixed.joined_vertices().count();
         }
-        let joined_to = weld.fixed.joined_to();
         let is_split = self.records.iter().any(|record| record.pass == PassKind::Split && record.is_changed);
-        if joined_to.is_empty() || (!storage.is_apart() && !is_split) {
+        if weld.fixed.joined_vertices().next().is_none() || (!storage.is_apart() && !is_split) {
             return 0;
         }
         let provenance = self.history.provenance();
@@ -78,15 +77,14 @@ impl Session {
             return weld.fixed.len();
         }
         let stays: Vec<bool> = if storage.is_apart() {
-            let mut stays = vec![false; joined_to.len()];
+            let mut stays = vec![false; provenance.before.vertices];
             let corners = provenance.corners.iter().filter_map(|(_, stored)| stored);
             corners.for_each(|c| stays[self.stored().faces().corner_vertex(c).index()] = true);
             stays
         } else {
-            provenance.vertices.survivors(joined_to.len())
+            provenance.vertices.survivors(provenance.before.vertices)
         };
-        let is_joined = |(v, low): (usize, &VertexId)| low.index() != v && stays[v];
-        joined_to.iter().enumerate().filter(|&at| is_joined(at)).count()
+        weld.fixed.joined_vertices().filter(|(vertex, _)| stays[vertex.index()]).count()
     }
 
     /// Fails when the topology of the mesh shows what a pass had promised to remove.

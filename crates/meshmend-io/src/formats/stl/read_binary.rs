@@ -1,6 +1,7 @@
 //! The reader of binary STL.
 
 use meshmend_core::{Carry, Domain, Layer, Metadata, Values, VertexId};
+use meshmend_geometry::coincident::SharedFinder;
 
 use std::io::Read;
 
@@ -21,7 +22,7 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
     let mut facets = BlockReader::new(source, HEAD, rest);
     let (mut parts, mut attributes) = (Parts::default(), Attributes::default());
     let mut recomputed = Recomputed::default();
-    parts.positions.reserve_exact(3 * count);
+    let mut vertices = Vertices::of(source.shared_places, 3 * count);
     parts.faces.reserve(3 * count);
     let mut read = 0;
     while read < count {
@@ -29,12 +30,17 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
         for (facet, face) in block.chunks_exact(FACET).zip(read..) {
             let first = 3 * face as u32;
             let corners = [12, 24, 36].map(|at| point(&facet[at..at + 12]));
-            parts.positions.extend(corners);
-            recomputed.see(point(&facet[..12]), corners, HEAD + face * FACET);
+            vertices.take(corners, 3 * count);
+            let [normal, corners] = [[point(&facet[..12]); 3], corners].map(|points| points.map(in_doubles));
+            recomputed.see(normal[0], corners, HEAD + face * FACET);
             parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
             attributes.see(face, little_endian(&facet[FACET - 2..]) as u16);
         }
         read += block.len() / FACET;
+    }
+    match vertices {
+        Vertices::Each(positions) => parts.positions = positions,
+        Vertices::Shared(finder) => parts.places = Some(finder.finish()),
     }
     let header = &source.bytes[..HEAD - 4];
     if !attributes.0.is_empty() {
@@ -97,7 +103,43 @@ impl Attributes {
     }
 }
 
+/// The vertices, three a facet.
+enum Vertices {
+    Each(Vec<[f64; 3]>),
+    Shared(SharedFinder),
+}
+
+impl Vertices {
+    fn of(are_shared: bool, count: usize) -> Self {
+        if are_shared {
+            Vertices::Shared(SharedFinder::for_points(count))
+        } else {
+            Vertices::Each(Vec::with_capacity(count))
+        }
+    }
+
+    /// Takes the corners of a facet, of so many vertices in all.
+    #[inline]
+    fn take(&mut self, corners: [[f32; 3]; 3], count: usize) {
+        match self {
+            Vertices::Each(positions) => positions.extend(corners.map(in_doubles)),
+            Vertices::Shared(finder) => {
+                if !finder.take(&corners) {
+                    let mut positions = Vec::with_capacity(count);
+                    positions.extend(std::mem::take(finder).into_points());
+                    *self = Vertices::Each(positions);
+                }
+            }
+        }
+    }
+}
+
 #[inline]
-fn point(bytes: &[u8]) -> [f64; 3] {
-    [0, 4, 8].map(|at| f64::from(f32::from_bits(little_endian(&bytes[at..at + 4]))))
+fn point(bytes: &[u8]) -> [f32; 3] {
+    [0, 4, 8].map(|at| f32::from_bits(little_endian(&bytes[at..at + 4])))
+}
+
+#[inline]
+fn in_doubles(point: [f32; 3]) -> [f64; 3] {
+    point.map(f64::from)
 }

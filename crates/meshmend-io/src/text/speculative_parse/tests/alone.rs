@@ -31,6 +31,7 @@ fn outcome(format: Format, text: &str, pace: Pace, limits: &Limits) -> String {
         name: "text",
         pace,
         folder: None,
+        shared_places: false,
         watch: &Watch::NOBODY,
     };
     match (driver(format).read)(&source, limits) {
@@ -62,6 +63,7 @@ fn limits_of(format: Format, text: &str) -> Vec<Limits> {
         name: "text",
         pace: Pace::NONE,
         folder: None,
+        shared_places: false,
         watch: &Watch::NOBODY,
     };
     let Ok(parsed) = (driver(format).read)(&source, &usual) else { return vec![usual] };
