@@ -89,7 +89,7 @@ impl RepairWords<'_> {
         repair.gate = Gate::new(criteria);
         repair.limit = planned.limit.unwrap_or(repair.limit);
         repair.geometry = self.geometry.options(&repair.gate.defects())?;
-        let is_judged = !repair.gate.defects().is_empty() || repair.gate.asks_what_is_left();
+        let is_judged = repair.gate.asks_of_result();
         repair.judged = match (self.report, is_judged) {
             (true, _) => Judged::BeforeAndAfter,
             (false, true) => Judged::After,

@@ -1,5 +1,7 @@
 //! A soup whose reader tells which vertices share a place is mended, judged and written just as any other.
 
+#![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
+
 use meshmend::files::{FileRepair, FileTarget, Maps};
 use meshmend::formats::{Document, read_document_bytes};
 use meshmend::mesh::Watch;
