@@ -32,7 +32,12 @@ fn repaired_files_have_their_generators_and_open_into_discs() {
 /// What is not as it should be.
 fn wrong(mesh: &PolygonMesh) -> Option<String> {
     let lengths = edge_lengths(mesh);
-    let options = GeneratorOptions { lengths: Some(&lengths), co_tree: CoTree::Greedy, roots: Roots::Lowest };
+    let options = GeneratorOptions {
+        lengths: Some(&lengths),
+        co_tree: CoTree::Greedy,
+        roots: Roots::Lowest,
+        watch: None,
+    };
     let kernel = EdgeUse::assemble(mesh.complex());
     let found = match generators(&kernel, &options) {
         Ok(found) => found,

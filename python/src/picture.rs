@@ -1,5 +1,6 @@
 //! A picture of a mesh, with what is wrong with it marked.
 
+use meshmend::PassError;
 use meshmend_render::{
     Camera, Outlines, Overlay, RenderError, Scene, Size, boundary, inconsistent, non_manifold, render,
     witness,
@@ -34,17 +35,23 @@ pub(crate) fn picture<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let form = errors::raise(py, words::chosen("format", format, &[("png", Form::Png), ("svg", Form::Svg)]))?;
     let mesh = &mesh.get().mesh;
-    let drawn = how.watched(py)?.run(|_| -> Done<Vec<u8>> {
-        let overlays: Vec<Overlay> = match with_defects {
-            true => vec![boundary(mesh), non_manifold(mesh), inconsistent(mesh), witness(mesh)],
-            false => Vec::new(),
-        };
+    let drawn = how.watched(py)?.run(|watch| -> Done<Vec<u8>> {
+        let look = || watch.look("picture", 0, 0).map_err(PassError::from);
+        let mut overlays: Vec<Overlay> = Vec::new();
+        if with_defects {
+            for overlay in [boundary, non_manifold, inconsistent, witness] {
+                look()?;
+                overlays.push(overlay(mesh));
+            }
+        }
+        look()?;
         let failed = |error: RenderError| Problem::Value(error.to_string());
         let camera =
             Camera::from_angles(AZIMUTH, ELEVATION).map_err(|error| Problem::Value(error.to_string()))?;
         let scene =
             Scene { mesh: mesh.clone(), camera, outlines: Outlines::Omitted, overlays, caption: None };
         let picture = render(&scene, Size::new(size.0, size.1).map_err(failed)?).map_err(failed)?;
+        look()?;
         let mut bytes = Vec::new();
         let written = match form {
             Form::Png => picture.write_png(&mut bytes),

@@ -107,8 +107,8 @@ pub(crate) fn find_loops(
         let options = LoopOptions::default()
             .with_view(view)
             .with_kernel(words::kernel(&words.kernel)?)
-            .with_paths(words.paths()?);
-        watch.look("loops", 0, 0).map_err(meshmend::PassError::from)?;
+            .with_paths(words.paths()?)
+            .with_watch(watch);
         Ok(loops(&handle.mesh, &options)?)
     })?;
     Ok(LoopsHandle { report: errors::raise(py, report)?, origin: handle.origin.clone() })
@@ -127,8 +127,11 @@ pub(crate) fn cut_mesh(
     let along = errors::raise(py, words.along())?;
     let report = how.watched(py)?.run(|watch| -> Done<CutReport> {
         let view = words.view(handle)?.resolved(&handle.mesh, watch)?;
-        let options = CutOptions::default().with_view(view).with_along(along).with_paths(words.paths()?);
-        watch.look("cut", 0, 0).map_err(meshmend::PassError::from)?;
+        let options = CutOptions::default()
+            .with_view(view)
+            .with_along(along)
+            .with_paths(words.paths()?)
+            .with_watch(watch);
         Ok(cut(&handle.mesh, &options)?)
     })?;
     Ok(CutHandle { report: errors::raise(py, report)?, along, origin: handle.origin.clone() })

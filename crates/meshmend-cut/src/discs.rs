@@ -4,8 +4,8 @@ use meshmend_core::{
     Column, Connectivity, EdgeId, EdgeUse, PolygonMesh, Provenance, VertexId, vertex_classes,
 };
 use meshmend_topology::{
-    ComponentId, GeneratorOptions, GluingWord, Surface, boundary_loops, component_facts, components,
-    cut_graph, generators, patches,
+    ComponentId, GeneratorError, GeneratorOptions, GluingWord, Surface, boundary_loops, component_facts,
+    components, cut_graph, generators, patches,
 };
 use serde::{Deserialize, Serialize};
 
@@ -66,7 +66,8 @@ pub struct Piece {
 ///
 /// # Errors
 /// When a component is not a surface, or is to be cut along generators and has a boundary; when the generators can't
-/// be found; or when a component did not become a disc, which is a mistake of this program.
+/// be found; when a component did not become a disc, which is a mistake of this program; or if the watch of the options
+/// stops it.
 ///
 /// *Cost*: that of [`generators`](meshmend_topology::generators()), and linear in the mesh.
 pub fn cut_to_discs(
@@ -74,14 +75,17 @@ pub fn cut_to_discs(
     along: CutAlong,
     options: &GeneratorOptions<'_>,
 ) -> Result<Discs, CutError> {
+    let look = || options.watch().look("cut", 0, 0).map_err(GeneratorError::from);
+    look()?;
     let kernel = EdgeUse::assemble(mesh.complex());
     let (edges, before) = match along {
         CutAlong::CutGraph => by_graph(&kernel, options)?,
         CutAlong::Generators => by_generators(&kernel, options)?,
     };
     drop(kernel);
+    look()?;
     let CutOpen { mesh, provenance, seams, .. } = cut_open(mesh, &edges)?;
-    let pieces = pieces(&mesh, &provenance, &before, along)?;
+    let pieces = pieces(&mesh, &provenance, &before, along, &look)?;
     Ok(Discs { mesh, provenance, seams, pieces })
 }
 
@@ -119,10 +123,16 @@ fn pieces(
     provenance: &Provenance,
     before: &[Surface],
     along: CutAlong,
+    look: &dyn Fn() -> Result<(), GeneratorError>,
 ) -> Result<Vec<Piece>, CutError> {
+    look()?;
     let kernel = EdgeUse::assemble(mesh.complex());
+    look()?;
     let (components, rims) = (components(&kernel), boundary_loops(&kernel));
-    let facts = component_facts(&kernel, &components, &patches(&kernel), &vertex_classes(&kernel), &rims);
+    look()?;
+    let (patches, classes) = (patches(&kernel), vertex_classes(&kernel));
+    look()?;
+    let facts = component_facts(&kernel, &components, &patches, &classes, &rims);
     let mut words: Column<ComponentId, Option<GluingWord>> = Column::filled(None, components.count());
     for rim in rims.iter() {
         let component = rim.first().and_then(|&vertex| components.of_vertex(vertex));
@@ -152,8 +162,9 @@ mod tests {
         let sphere = PolygonMesh::new(vec![[0.0; 3]; 3], faces).unwrap();
         let (whole, before) =
             (Provenance::same(sphere.counts()), [Surface::Orientable { genus: 0, holes: 0 }]);
-        assert!(pieces(&sphere, &whole, &before, CutAlong::Generators).is_ok());
-        let wrong = pieces(&sphere, &whole, &before, CutAlong::CutGraph).unwrap_err();
+        let pieces = |along| pieces(&sphere, &whole, &before, along, &|| Ok(()));
+        assert!(pieces(CutAlong::Generators).is_ok());
+        let wrong = pieces(CutAlong::CutGraph).unwrap_err();
         assert_eq!(
             wrong.to_string(),
             "component 0 was cut but is not a disc, which is a mistake of this program"

@@ -80,7 +80,7 @@ fn way_round(mesh: &PolygonMesh) -> Result<Option<Vec<VertexId>>, CutError> {
     let kernel = EdgeUse::assemble(mesh.complex());
     let (mut best, mut roots): (Option<Vec<VertexId>>, Roots) = (None, Roots::Lowest);
     loop {
-        let options = GeneratorOptions { lengths: None, co_tree: CoTree::Greedy, roots };
+        let options = GeneratorOptions { co_tree: CoTree::Greedy, roots, ..GeneratorOptions::default() };
         let found = generators(&kernel, &options)?;
         let [component] = found.components() else { return Ok(None) };
         let is_torus = component.system.is_some_and(|system| system.surface == TORUS);

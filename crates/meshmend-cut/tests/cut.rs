@@ -17,7 +17,7 @@ use meshmend_topology::{
 };
 
 const GREEDY: GeneratorOptions<'static> =
-    GeneratorOptions { lengths: None, co_tree: CoTree::Greedy, roots: Roots::Lowest };
+    GeneratorOptions { lengths: None, co_tree: CoTree::Greedy, roots: Roots::Lowest, watch: None };
 const DISC: Surface = Surface::Orientable { genus: 0, holes: 1 };
 
 fn kernel(mesh: &PolygonMesh) -> EdgeUse {

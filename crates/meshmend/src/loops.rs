@@ -1,16 +1,20 @@
 //! The closed paths that generate a surface, with lengths measured in space, and cutting along them.
 
-use meshmend_core::PolygonMesh;
+use meshmend_core::{PolygonMesh, Watch};
 use meshmend_cut::{CutAlong, CutError, Discs, cut_to_discs};
 use meshmend_geometry::edge_lengths;
-use meshmend_repair::PassError;
+use meshmend_repair::{PassError, Session};
 use meshmend_topology::{CoTree, GeneratorError, GeneratorOptions, Generators, Measure, Roots};
 use thiserror::Error;
 
+use crate::check::viewed;
 use crate::{AnyKernel, View};
 
+/// What the work is called to whoever watches it.
+const STEP: &str = "loops";
+
 /// How to look for the closed paths of surfaces.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct LoopOptions {
     /// Whether the mesh is taken as stored or as welded.
@@ -19,6 +23,8 @@ pub struct LoopOptions {
     pub kernel: AnyKernel,
     /// Which paths are wanted.
     pub paths: PathOptions,
+    /// Who watches, and may stop it.
+    pub watch: Watch,
 }
 
 impl LoopOptions {
@@ -38,6 +44,12 @@ impl LoopOptions {
     #[must_use]
     pub fn with_paths(self, paths: PathOptions) -> Self {
         LoopOptions { paths, ..self }
+    }
+
+    /// These options for a search that is watched.
+    #[must_use]
+    pub fn with_watch(self, watch: &Watch) -> Self {
+        LoopOptions { watch: watch.clone(), ..self }
     }
 }
 
@@ -74,7 +86,7 @@ impl PathOptions {
 }
 
 /// How to cut surfaces open.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct CutOptions {
     /// Whether the mesh is taken as stored or as welded.
@@ -83,6 +95,8 @@ pub struct CutOptions {
     pub along: CutAlong,
     /// Along which paths.
     pub paths: PathOptions,
+    /// Who watches, and may stop it.
+    pub watch: Watch,
 }
 
 impl CutOptions {
@@ -102,6 +116,12 @@ impl CutOptions {
     #[must_use]
     pub fn with_paths(self, paths: PathOptions) -> Self {
         CutOptions { paths, ..self }
+    }
+
+    /// These options for a cut that is watched.
+    #[must_use]
+    pub fn with_watch(self, watch: &Watch) -> Self {
+        CutOptions { watch: watch.clone(), ..self }
     }
 }
 
@@ -130,15 +150,33 @@ pub struct CutReport {
 /// Why surfaces have not been looked at, or not been cut.
 #[derive(Clone, Debug, Error)]
 pub enum LoopError {
-    /// The view's distance is not a finite, non-negative number, or the kernel can't hold the mesh.
+    /// The view's distance is not a finite, non-negative number, the kernel can't hold the mesh, or the watch stopped it.
     #[error(transparent)]
     Pass(#[from] PassError),
     /// There are no generators.
     #[error(transparent)]
-    Generators(#[from] GeneratorError),
+    Generators(GeneratorError),
     /// There is no cut.
     #[error(transparent)]
-    Cut(#[from] CutError),
+    Cut(CutError),
+}
+
+impl From<GeneratorError> for LoopError {
+    fn from(error: GeneratorError) -> Self {
+        match error {
+            GeneratorError::Cancelled(cancelled) => LoopError::Pass(cancelled.into()),
+            error => LoopError::Generators(error),
+        }
+    }
+}
+
+impl From<CutError> for LoopError {
+    fn from(error: CutError) -> Self {
+        match error {
+            CutError::Generators(error @ GeneratorError::Cancelled(_)) => error.into(),
+            error => LoopError::Cut(error),
+        }
+    }
 }
 
 /// The closed paths that generate the first homology of each component, with their lengths in space.
@@ -161,9 +199,9 @@ pub enum LoopError {
 ///
 /// *Cost*: O(n log n) for each root that is tried.
 pub fn loops(mesh: &PolygonMesh, options: &LoopOptions) -> Result<LoopReport, LoopError> {
-    let mesh = options.view.of(mesh)?;
+    let mesh = in_view(mesh, options.view, &options.watch)?;
     let ask = |choice: &GeneratorOptions<'_>| options.kernel.generators(mesh.complex(), choice);
-    let found = options.paths.with_lengths(&mesh, ask).map_err(PassError::from)?;
+    let found = options.paths.with_lengths(&mesh, &options.watch, ask)?.map_err(PassError::from)?;
     Ok(LoopReport { view: options.view, generators: found?, mesh })
 }
 
@@ -175,19 +213,34 @@ pub fn loops(mesh: &PolygonMesh, options: &LoopOptions) -> Result<LoopReport, Lo
 ///
 /// *Cost*: that of [`loops`].
 pub fn cut(mesh: &PolygonMesh, options: &CutOptions) -> Result<CutReport, LoopError> {
-    let before = options.view.of(mesh)?;
-    let discs = options.paths.with_lengths(&before, |choice| cut_to_discs(&before, options.along, choice))?;
+    let before = in_view(mesh, options.view, &options.watch)?;
+    let work = |choice: &GeneratorOptions<'_>| cut_to_discs(&before, options.along, choice);
+    let discs = options.paths.with_lengths(&before, &options.watch, work)??;
     Ok(CutReport { view: options.view, before, discs })
 }
 
+fn in_view(mesh: &PolygonMesh, view: View, watch: &Watch) -> Result<PolygonMesh, PassError> {
+    let mesh = viewed(&mut Session::begin(mesh).with_watch(watch), view)?.0;
+    watch.look(STEP, 0, 0)?;
+    Ok(mesh)
+}
+
 impl PathOptions {
-    /// Does some work with these options and the lengths of a mesh's edges.
+    /// Does some work with these options and the lengths of a mesh's edges, unless the watch stops it before.
     pub(crate) fn with_lengths<T>(
         &self,
         mesh: &PolygonMesh,
+        watch: &Watch,
         work: impl FnOnce(&GeneratorOptions<'_>) -> T,
-    ) -> T {
-        let lengths = (self.measure == Measure::Length).then(|| edge_lengths(mesh));
-        work(&GeneratorOptions { lengths: lengths.as_ref(), co_tree: self.co_tree, roots: self.roots })
+    ) -> Result<T, PassError> {
+        let mut lengths = None;
+        if self.measure == Measure::Length {
+            mesh.complex().edges();
+            watch.look(STEP, 0, 0)?;
+            lengths = Some(edge_lengths(mesh));
+        }
+        watch.look(STEP, 0, 0)?;
+        let (lengths, co_tree, roots) = (lengths.as_ref(), self.co_tree, self.roots);
+        Ok(work(&GeneratorOptions { lengths, co_tree, roots, watch: Some(watch) }))
     }
 }

@@ -1,8 +1,9 @@
 //! A mesh laid out in the plane, cut open first where it is not a disc.
 
-use meshmend_core::{Carry, Domain, Layer, MeshError, PolygonMesh, Role, Values};
+use meshmend_core::{Carry, Domain, Layer, MeshError, PolygonMesh, Role, Values, Watch};
 use meshmend_cut::{CutAlong, Discs, cut_to_discs, cut_to_square};
 use meshmend_flatten::{Boundary, Flatten, FlattenError, Layout, flatten};
+use meshmend_topology::GeneratorOptions;
 use thiserror::Error;
 
 use crate::{LoopError, PathOptions, View};
@@ -113,7 +114,8 @@ fn cut_and_flatten(
         let layout = flatten(&square.mesh, &request)?;
         return Ok((square.mesh, layout, square.seams.len()));
     }
-    let discs = options.paths.with_lengths(mesh, |choice| cut_to_discs(mesh, CutAlong::CutGraph, choice));
+    let work = |choice: &GeneratorOptions<'_>| cut_to_discs(mesh, CutAlong::CutGraph, choice);
+    let discs = options.paths.with_lengths(mesh, &Watch::NOBODY, work).map_err(LoopError::from)?;
     let Discs { mesh, seams, .. } = discs.map_err(LoopError::from)?;
     let layout = flatten(&mesh, &options.flatten)?;
     Ok((mesh, layout, seams.len()))

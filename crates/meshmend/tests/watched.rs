@@ -1,15 +1,19 @@
 //! Whatever takes long can be stopped at each look, has then changed nothing, and does not depend on being watched.
 
 use std::fs;
+use std::num::NonZeroU32;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use meshmend::cutting::CutAlong;
 use meshmend::formats::{ReadErrorKind, WriteErrorKind};
 use meshmend::mesh::Watch;
+use meshmend::topology::{CoTree, Roots};
 use meshmend::{
-    CheckOptions, Format, GeometryOptions, PassError, Plan, PolygonMesh, ReadOptions, Session, WriteOptions,
-    check, encode, read_bytes, repair, write,
+    CheckOptions, CutOptions, Distance, Format, GeometryOptions, LoopError, LoopOptions, PassError,
+    PathOptions, Plan, PolygonMesh, ReadOptions, Session, View, WriteOptions, check, cut, encode, loops,
+    read_bytes, repair, write,
 };
 use meshmend_testkit::{Soup, shapes};
 
@@ -86,6 +90,37 @@ fn a_check_stops_at_each_look() {
         });
         assert!(looks >= least, "{looks} looks");
     }
+}
+
+#[test]
+fn loops_and_cuts_stop_at_each_look() {
+    let mesh = shapes::torus(12, 12, shapes::Tiles::Triangles).soup.mesh();
+    let roots = Roots::Best(NonZeroU32::new(3).unwrap());
+    for (view, roots, least) in
+        [(View::Indexed, Roots::Lowest, 12), (View::Welded(Distance::Exact), roots, 24)]
+    {
+        let paths = PathOptions::default().with_co_tree(CoTree::Greedy).with_roots(roots);
+        let looks = stopped_everywhere("loops", |watch| {
+            let options = LoopOptions::default().with_view(view).with_paths(paths).with_watch(watch);
+            let found = loops(&mesh, &options).map_err(cancelled)?.generators;
+            Ok((found.loop_edges(), found.components().to_vec()))
+        });
+        assert!(looks >= least, "{looks} looks for loops");
+        for along in [CutAlong::CutGraph, CutAlong::Generators] {
+            let options = CutOptions::default().with_view(view).with_along(along).with_paths(paths);
+            let looks = stopped_everywhere("cut", |watch| {
+                let report = cut(&mesh, &options.clone().with_watch(watch)).map_err(cancelled)?;
+                Ok((report.discs.provenance, report.discs.pieces))
+            });
+            assert!(looks >= least + 4, "{looks} looks for a cut");
+        }
+    }
+}
+
+/// That work was stopped is said in one way, wherever it was.
+fn cancelled(error: LoopError) -> String {
+    assert!(matches!(error, LoopError::Pass(PassError::Cancelled(_))), "{error:?}");
+    error.to_string()
 }
 
 #[test]

@@ -125,7 +125,7 @@ def loops(
     threads: int | None = None,
     progress: Any = None,
 ) -> Loops:
-    """Generators: handles, cross-caps, holes, as paths of vertices. An interrupt waits until they are found."""
+    """Generators: handles, cross-caps, holes, as paths of vertices."""
     words = _words(greedy, root, roots, hops, view, weld, kernel)
     given = loaded(mesh, loops)
     with watched(threads, progress) as how:
@@ -145,7 +145,7 @@ def cut(
     threads: int | None = None,
     progress: Any = None,
 ) -> Cut:
-    """Cuts every surface open into a disc, or `along` its `generators`. An interrupt waits until it is cut."""
+    """Cuts every surface open into a disc, or `along` its `generators`."""
     words = _words(greedy, root, roots, hops, view, weld, "edge-use", along)
     given = loaded(mesh, cut)
     with watched(threads, progress) as how:

@@ -40,8 +40,12 @@ pub fn loops(mesh: &PolygonMesh) -> Result<LoopOverlays, GeneratorError> {
         (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
     };
     let lengths: Column<EdgeId, f64> = kernel.edges().map(length).collect();
-    let options =
-        GeneratorOptions { lengths: Some(&lengths), co_tree: CoTree::Greedy, roots: Roots::Best(ROOTS) };
+    let options = GeneratorOptions {
+        lengths: Some(&lengths),
+        co_tree: CoTree::Greedy,
+        roots: Roots::Best(ROOTS),
+        watch: None,
+    };
     let found = generators(&kernel, &options)?;
     let all = || found.components().iter().flat_map(|ComponentGenerators { generators, .. }| generators);
     let loops = all().take(MOST_GENERATORS).map(|generator| found.vertices(generator)).collect();

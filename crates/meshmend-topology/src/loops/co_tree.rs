@@ -5,10 +5,11 @@
 //! twice would otherwise cut faces off. Edges are offered to the tree of the dual in an order, and each that joins
 //! two parts is taken (J. B. Kruskal, 1956): what is neither in one tree nor in the other is left over.
 
-use meshmend_core::{Column, Connectivity, EdgeId, VertexId};
+use meshmend_core::{Cancelled, Column, Connectivity, EdgeId, VertexId, Watch};
 use petgraph::unionfind::UnionFind;
 use serde::Serialize;
 
+use super::STEP;
 use super::surfaces::Surfaces;
 
 /// In which order edges are offered to the tree of the faces.
@@ -63,27 +64,42 @@ impl<'a, K: Connectivity> Dual<'a, K> {
     /// leaves over, ascending.
     ///
     /// *Cost*: near-linear; 5 bytes a face and 4 an edge.
-    pub(super) fn split(&self, order: &[EdgeId]) -> [Vec<EdgeId>; 2] {
+    ///
+    /// # Errors
+    /// If the watch stops it.
+    pub(super) fn split(&self, order: &[EdgeId], watch: &Watch) -> Result<[Vec<EdgeId>; 2], Cancelled> {
         let mut parts = UnionFind::<u32>::new(self.kernel.face_count() + self.loop_count);
-        let joins = |edge: &EdgeId| self.ends(*edge).is_some_and(|[one, other]| parts.union(one, other));
-        let (mut taken, mut left): (Vec<EdgeId>, Vec<EdgeId>) = order.iter().copied().partition(joins);
+        let (mut taken, mut left) = (Vec::new(), Vec::new());
+        for (place, &edge) in order.iter().enumerate() {
+            watch.look_at_times(STEP, place, order.len())?;
+            let joins = self.ends(edge).is_some_and(|[one, other]| parts.union(one, other));
+            if joins { taken.push(edge) } else { left.push(edge) }
+        }
         taken.sort_unstable();
         left.sort_unstable();
-        [taken, left]
+        Ok([taken, left])
     }
 
     /// For each edge whether a tree of the faces alone crosses it.
     ///
     /// *Cost*: near-linear; 5 bytes a face and 1 an edge.
-    pub(super) fn crossed(&self, order: impl Iterator<Item = EdgeId>) -> Column<EdgeId, bool> {
+    ///
+    /// # Errors
+    /// If the watch stops it.
+    pub(super) fn crossed(
+        &self,
+        order: impl Iterator<Item = EdgeId>,
+        watch: &Watch,
+    ) -> Result<Column<EdgeId, bool>, Cancelled> {
         let mut parts = UnionFind::<u32>::new(self.kernel.face_count());
         let mut is_crossed = Column::filled(false, self.kernel.edge_count());
-        for edge in order {
+        for (place, edge) in order.enumerate() {
+            watch.look_at_times(STEP, place, self.kernel.edge_count())?;
             let mut faces = self.kernel.edge_faces(edge);
             if let (Some(one), Some(other)) = (faces.next(), faces.next()) {
                 is_crossed[edge] = parts.union(one.0, other.0);
             }
         }
-        is_crossed
+        Ok(is_crossed)
     }
 }

@@ -1,7 +1,8 @@
 //! The generators of each component, read off its trees and its boundary.
 
-use meshmend_core::{Column, Connectivity, EdgeId, Id};
+use meshmend_core::{Cancelled, Column, Connectivity, EdgeId, Id};
 
+use super::STEP;
 use super::error::GeneratorError;
 use super::forest::Forest;
 use super::generator::{ComponentGenerators, Generator, GeneratorKind, LoopSystem, Path};
@@ -21,7 +22,7 @@ pub(super) fn components<K: Connectivity>(
     let ids = ground.surfaces.components.ids();
     let mut components: Vec<ComponentGenerators> =
         ids.map(|id| without_generators(ground, trees, id)).collect();
-    add_closed(ground, trees, left_over, &mut components);
+    add_closed(ground, trees, left_over, &mut components)?;
     add_boundary(ground, &mut components);
     components.iter().try_for_each(|found| check_count(ground.surfaces, found))?;
     Ok(components)
@@ -48,9 +49,11 @@ fn add_closed<K: Connectivity>(
     trees: &Trees,
     left_over: &[EdgeId],
     components: &mut [ComponentGenerators],
-) {
+) -> Result<(), Cancelled> {
+    ground.watch.look(STEP, 0, 0)?;
     let transport = Transport::along(ground.kernel, &ground.surfaces.patches, &trees.forest);
-    for &edge in left_over {
+    for (place, &edge) in left_over.iter().enumerate() {
+        ground.watch.look_at_times(STEP, place, left_over.len())?;
         let Some(component) = ground.surfaces.of_edge(ground.kernel, edge) else { continue };
         let found = &mut components[component.index()];
         if let Some(system) = &mut found.system {
@@ -59,6 +62,7 @@ fn add_closed<K: Connectivity>(
             found.generators.push(closed(ground, &trees.forest, &transport, surface, edge));
         }
     }
+    Ok(())
 }
 
 /// The generator of a left-over edge.
@@ -128,7 +132,9 @@ fn check_count(surfaces: &Surfaces, found: &ComponentGenerators) -> Result<(), G
 
 #[cfg(test)]
 mod tests {
-    use meshmend_core::VertexId;
+    use std::ops::ControlFlow;
+
+    use meshmend_core::{VertexId, Watch};
     use meshmend_testkit::assert_every_variant;
 
     use super::*;
@@ -138,14 +144,15 @@ mod tests {
     #[test]
     fn every_failure_says_why_there_are_no_generators() {
         let kernel = torus(3, 4).kernel();
-        let surfaces = Surfaces::of(&kernel);
+        let surfaces = Surfaces::of(&kernel, &Watch::NOBODY).unwrap();
         let options = GeneratorOptions::default();
         let ground = Ground::new(&kernel, &surfaces, &options).unwrap();
         let trees = ground.trees(options.roots).unwrap();
-        let [_, left_over] = ground.dual.split(&trees.order);
+        let [_, left_over] = ground.dual.split(&trees.order, ground.watch).unwrap();
         assert!(components(&ground, &trees, &left_over).is_ok());
         let failure = |options| generators(&kernel, &options).unwrap_err();
         let lengths = Column::filled(1.0, 3);
+        let stop = Watch::new(|_| ControlFlow::Break(()));
         let cases = vec![
             (
                 failure(GeneratorOptions { roots: Roots::At(VertexId(99)), ..options }),
@@ -159,7 +166,8 @@ mod tests {
                 components(&ground, &trees, &left_over[1..]).unwrap_err(),
                 "component 0 has 1 generators in place of 2, which is a mistake of this program",
             ),
+            (failure(GeneratorOptions { watch: Some(&stop), ..options }), "cancelled"),
         ];
-        assert_every_variant!(cases, GeneratorError { NoSuchRoot, Lengths, Count });
+        assert_every_variant!(cases, GeneratorError { NoSuchRoot, Lengths, Count, Cancelled });
     }
 }

@@ -9,8 +9,9 @@
 //! vertex that has two. Every closed sphere has such a vertex, as every face has three different vertices; one edge
 //! would not do, as its two sides would still join the same two vertices.
 
-use meshmend_core::{Column, Connectivity, Defect, EdgeId, VertexId};
+use meshmend_core::{Cancelled, Column, Connectivity, Defect, EdgeId, VertexId};
 
+use super::STEP;
 use super::error::GeneratorError;
 use super::options::GeneratorOptions;
 use super::surfaces::Surfaces;
@@ -43,17 +44,18 @@ pub struct CutGraph {
 /// ```
 ///
 /// # Errors
-/// When no face has the root, or there are more or fewer lengths than edges.
+/// When no face has the root, or there are more or fewer lengths than edges; or if the watch of the options stops it.
 ///
 /// *Cost*: that of [`generators`](crate::generators()).
 pub fn cut_graph<K: Connectivity>(
     kernel: &K,
     options: &GeneratorOptions<'_>,
 ) -> Result<CutGraph, GeneratorError> {
-    let surfaces = Surfaces::of(kernel);
+    let surfaces = Surfaces::of(kernel, options.watch())?;
     let ground = Ground::new(kernel, &surfaces, options)?;
     let trees = ground.trees(options.roots)?;
-    let mut edges = uncrossed(&ground, &trees);
+    let mut edges = uncrossed(&ground, &trees)?;
+    ground.watch.look(STEP, 0, 0)?;
     prune(kernel, &mut edges);
     edges.extend(sphere_paths(kernel, &surfaces));
     edges.sort_unstable();
@@ -64,11 +66,11 @@ pub fn cut_graph<K: Connectivity>(
 }
 
 /// The edges of surfaces that a tree of the faces does not cross.
-fn uncrossed<K: Connectivity>(ground: &Ground<'_, K>, trees: &Trees) -> Vec<EdgeId> {
+fn uncrossed<K: Connectivity>(ground: &Ground<'_, K>, trees: &Trees) -> Result<Vec<EdgeId>, Cancelled> {
     let in_trees = trees.forest.order.iter().filter_map(|&vertex| trees.forest.entry(vertex));
-    let is_crossed = ground.dual.crossed(trees.order.iter().copied().chain(in_trees));
+    let is_crossed = ground.dual.crossed(trees.order.iter().copied().chain(in_trees), ground.watch)?;
     let of_surface = |edge: &EdgeId| ground.surfaces.of_edge(ground.kernel, *edge).is_some();
-    ground.kernel.edges().filter(|&edge| !is_crossed[edge]).filter(of_surface).collect()
+    Ok(ground.kernel.edges().filter(|&edge| !is_crossed[edge]).filter(of_surface).collect())
 }
 
 /// Takes away edges that end blindly, until there is none.

@@ -1,6 +1,6 @@
 //! Why there are no generators.
 
-use meshmend_core::VertexId;
+use meshmend_core::{Cancelled, VertexId};
 use thiserror::Error;
 
 use crate::ComponentId;
@@ -30,4 +30,7 @@ pub enum GeneratorError {
         /// Its Betti number β₁ over ℤ/2.
         expected: i64,
     },
+    /// Whoever watches has stopped it.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }

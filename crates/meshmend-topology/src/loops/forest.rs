@@ -9,8 +9,9 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use meshmend_core::{Column, Connectivity, EdgeId, VertexId};
+use meshmend_core::{Cancelled, Column, Connectivity, EdgeId, VertexId, Watch};
 
+use super::STEP;
 use super::ancestors::Ancestors;
 use super::weights::Weights;
 
@@ -41,7 +42,15 @@ impl Forest {
     /// Grows the trees of roots in different components.
     ///
     /// *Cost*: O(n log n); 32 bytes a vertex, and 16 more while it runs.
-    pub(super) fn grow<K: Connectivity>(kernel: &K, weights: &Weights<'_>, roots: &[VertexId]) -> Self {
+    ///
+    /// # Errors
+    /// If the watch stops it.
+    pub(super) fn grow<K: Connectivity>(
+        kernel: &K,
+        weights: &Weights<'_>,
+        roots: &[VertexId],
+        watch: &Watch,
+    ) -> Result<Self, Cancelled> {
         let count = kernel.vertex_count();
         let unknown = Node { distance: f64::INFINITY, entry: NONE, next: VertexId(0) };
         let mut forest = Forest {
@@ -58,6 +67,7 @@ impl Forest {
             if forest.nodes[vertex].next == SETTLED {
                 continue;
             }
+            watch.look_at_times(STEP, forest.order.len(), count)?;
             forest.settle(vertex);
             for corner in kernel.vertex_corners(vertex) {
                 let before = kernel.prev_corner(corner);
@@ -70,7 +80,7 @@ impl Forest {
                 }
             }
         }
-        forest
+        Ok(forest)
     }
 
     fn settle(&mut self, vertex: VertexId) {

@@ -39,7 +39,7 @@ pub struct Generators {
 ///
 /// # Errors
 /// When no face has the root, or there are more or fewer lengths than edges; or when the count is not β₁, which is a
-/// mistake of this program.
+/// mistake of this program; or if the watch of the options stops it.
 ///
 /// *Cost*: O(n log n), times the number of roots that are tried; about 60 bytes a vertex beside what the questions
 /// about components and patches take. Paths are not stored: together they can be as long as n².
@@ -64,10 +64,10 @@ fn generators_of<K: Connectivity>(
     kernel: &K,
     options: &GeneratorOptions<'_>,
 ) -> Result<Generators, GeneratorError> {
-    let surfaces = Surfaces::of(kernel);
+    let surfaces = Surfaces::of(kernel, options.watch())?;
     let ground = Ground::new(kernel, &surfaces, options)?;
     let trees = ground.trees(options.roots)?;
-    let [co_tree, left_over] = ground.dual.split(&trees.order);
+    let [co_tree, left_over] = ground.dual.split(&trees.order, ground.watch)?;
     let components = collect::components(&ground, &trees, &left_over)?;
     Ok(Generators { components, forest: trees.forest, co_tree, boundary: surfaces.boundary })
 }

@@ -17,6 +17,9 @@
 //! *Source*: D. Eppstein, *Dynamic generators of topologically embedded graphs*, 2003; J. Erickson, K. Whittlesey,
 //! *Greedy optimal homotopy and homology generators*, 2005.
 
+/// What the work is called to whoever watches it.
+const STEP: &str = "loops";
+
 mod ancestors;
 mod co_tree;
 mod collect;

@@ -1,6 +1,6 @@
 //! How generators and cut graphs are chosen.
 
-use meshmend_core::{Column, EdgeId};
+use meshmend_core::{Column, EdgeId, Watch};
 
 use super::co_tree::CoTree;
 use super::roots::Roots;
@@ -14,4 +14,16 @@ pub struct GeneratorOptions<'a> {
     pub co_tree: CoTree,
     /// Where the trees of the vertices begin.
     pub roots: Roots,
+    /// Who watches, and may stop it; nobody if nobody is named.
+    pub watch: Option<&'a Watch>,
+}
+
+/// Stands for nobody.
+static NOBODY: Watch = Watch::NOBODY;
+
+impl<'a> GeneratorOptions<'a> {
+    /// Who watches.
+    pub fn watch(&self) -> &'a Watch {
+        self.watch.unwrap_or(&NOBODY)
+    }
 }

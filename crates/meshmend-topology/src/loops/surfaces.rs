@@ -1,9 +1,11 @@
 //! Which components are surfaces, and what stands against the others?
 
 use meshmend_core::{
-    Column, Connectivity, Defect, EdgeClass, EdgeId, VertexClass, VertexId, edge_class, vertex_classes,
+    Cancelled, Column, Connectivity, Defect, EdgeClass, EdgeId, VertexClass, VertexId, Watch, edge_class,
+    vertex_classes,
 };
 
+use super::STEP;
 use crate::{
     BoundaryLoops, ComponentFacts, ComponentId, Components, Patches, boundary_loops, component_facts,
     components, patches,
@@ -21,12 +23,24 @@ pub(super) struct Surfaces {
 
 impl Surfaces {
     /// *Cost*: that of the questions which it asks, all near-linear.
-    pub(super) fn of<K: Connectivity>(kernel: &K) -> Self {
-        let (components, patches) = (components(kernel), patches(kernel));
-        let (classes, boundary) = (vertex_classes(kernel), boundary_loops(kernel));
+    ///
+    /// # Errors
+    /// If the watch stops it.
+    pub(super) fn of<K: Connectivity>(kernel: &K, watch: &Watch) -> Result<Self, Cancelled> {
+        let look = || watch.look(STEP, 0, 0);
+        look()?;
+        let components = components(kernel);
+        look()?;
+        let patches = patches(kernel);
+        look()?;
+        let classes = vertex_classes(kernel);
+        look()?;
+        let boundary = boundary_loops(kernel);
+        look()?;
         let facts = component_facts(kernel, &components, &patches, &classes, &boundary);
+        look()?;
         let obstacles = obstacles(kernel, &components, &facts, &classes);
-        Surfaces { components, facts, patches, boundary, obstacles }
+        Ok(Surfaces { components, facts, patches, boundary, obstacles })
     }
 
     /// The component of an edge, if it is a surface.

@@ -2,8 +2,9 @@
 
 use std::num::NonZeroU32;
 
-use meshmend_core::{Column, Connectivity, EdgeId, VertexId};
+use meshmend_core::{Cancelled, Column, Connectivity, EdgeId, VertexId, Watch};
 
+use super::STEP;
 use super::co_tree::{CoTree, Dual};
 use super::error::GeneratorError;
 use super::forest::Forest;
@@ -19,6 +20,7 @@ pub(super) struct Ground<'a, K> {
     pub(super) surfaces: &'a Surfaces,
     pub(super) dual: Dual<'a, K>,
     pub(super) weights: Weights<'a>,
+    pub(super) watch: &'a Watch,
     co_tree: CoTree,
 }
 
@@ -36,8 +38,10 @@ impl<'a, K: Connectivity> Ground<'a, K> {
         surfaces: &'a Surfaces,
         options: &GeneratorOptions<'a>,
     ) -> Result<Self, GeneratorError> {
+        let (watch, co_tree) = (options.watch(), options.co_tree);
+        watch.look(STEP, 0, 0)?;
         let weights = Weights::new(kernel, surfaces, options.lengths)?;
-        Ok(Ground { kernel, surfaces, dual: Dual::new(kernel, surfaces), weights, co_tree: options.co_tree })
+        Ok(Ground { kernel, surfaces, dual: Dual::new(kernel, surfaces), weights, watch, co_tree })
     }
 
     /// *Cost*: O(n log n) for each root that is tried.
@@ -45,16 +49,18 @@ impl<'a, K: Connectivity> Ground<'a, K> {
         let roots = match roots {
             Roots::Lowest => lowest_roots(self.surfaces),
             Roots::At(vertex) => roots_with(self.kernel, self.surfaces, vertex)?,
-            Roots::Best(count) => self.best_roots(count),
+            Roots::Best(count) => self.best_roots(count)?,
         };
-        Ok(self.trees_from(roots))
+        Ok(self.trees_from(roots)?)
     }
 
-    fn trees_from(&self, roots: RootChoice) -> Trees {
+    fn trees_from(&self, roots: RootChoice) -> Result<Trees, Cancelled> {
         let starts: Vec<VertexId> = roots.values().iter().copied().flatten().collect();
-        let forest = Forest::grow(self.kernel, &self.weights, &starts);
+        let forest = Forest::grow(self.kernel, &self.weights, &starts, self.watch)?;
+        self.watch.look(STEP, 0, 0)?;
         let order = self.offered(&forest);
-        Trees { roots, forest, order }
+        self.watch.look(STEP, 0, 0)?;
+        Ok(Trees { roots, forest, order })
     }
 
     /// The edges of surfaces that are in no tree of the vertices, in the order in which the tree of the faces is offered
@@ -78,15 +84,15 @@ impl<'a, K: Connectivity> Ground<'a, K> {
     }
 
     /// Of some roots of each surface the one whose loops are the shortest together.
-    fn best_roots(&self, count: NonZeroU32) -> RootChoice {
+    fn best_roots(&self, count: NonZeroU32) -> Result<RootChoice, Cancelled> {
         let surfaces = self.surfaces;
         let most = surfaces.facts.values().iter().map(|facts| facts.vertices).max();
         let count = most.and_then(NonZeroU32::new).map_or(count, |most| count.min(most));
         let mut roots: RootChoice = Column::filled(None, surfaces.components.count());
         let mut shortest = Column::filled(f64::INFINITY, surfaces.components.count());
         for place in 0..count.get() {
-            let trees = self.trees_from(spread_roots(self.kernel, surfaces, place, count));
-            let lengths = self.system_lengths(&trees);
+            let trees = self.trees_from(spread_roots(self.kernel, surfaces, place, count))?;
+            let lengths = self.system_lengths(&trees)?;
             for component in surfaces.components.ids() {
                 if lengths[component] < shortest[component] {
                     shortest[component] = lengths[component];
@@ -94,19 +100,19 @@ impl<'a, K: Connectivity> Ground<'a, K> {
                 }
             }
         }
-        roots
+        Ok(roots)
     }
 
     /// How long the loops of each component are together.
-    fn system_lengths(&self, trees: &Trees) -> Column<ComponentId, f64> {
+    fn system_lengths(&self, trees: &Trees) -> Result<Column<ComponentId, f64>, Cancelled> {
         let mut lengths = Column::filled(0.0, self.surfaces.components.count());
-        let [_, left_over] = self.dual.split(&trees.order);
+        let [_, left_over] = self.dual.split(&trees.order, self.watch)?;
         for edge in left_over {
             if let Some(component) = self.surfaces.of_edge(self.kernel, edge) {
                 lengths[component] += self.based_length(&trees.forest, edge);
             }
         }
-        lengths
+        Ok(lengths)
     }
 
     /// How long the loop of an edge is, from the root to one end of it, across, and back to the root.

@@ -20,7 +20,7 @@ use paths::{GREEDY, assert_independent, assert_pairing, face_boundary, kernel, p
 use shortest::{random_lengths, small_surfaces};
 
 const BOTH: [GeneratorOptions<'static>; 2] =
-    [GeneratorOptions { lengths: None, co_tree: CoTree::Lowest, roots: Roots::Lowest }, GREEDY];
+    [GeneratorOptions { lengths: None, co_tree: CoTree::Lowest, roots: Roots::Lowest, watch: None }, GREEDY];
 
 /// Everything that holds of the generators and the cut graph of a shape that is a surface.
 fn assert_surface(shape: &Shape, options: &GeneratorOptions<'_>) {

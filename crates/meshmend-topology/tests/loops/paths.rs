@@ -6,7 +6,7 @@ use meshmend_core::{Build, Connectivity, EdgeId, EdgeUse, FaceId, PolygonMesh, V
 use meshmend_topology::{CoTree, GeneratorKind, GeneratorOptions, Generators, Roots, boundary_loops};
 
 pub(crate) const GREEDY: GeneratorOptions<'static> =
-    GeneratorOptions { lengths: None, co_tree: CoTree::Greedy, roots: Roots::Lowest };
+    GeneratorOptions { lengths: None, co_tree: CoTree::Greedy, roots: Roots::Lowest, watch: None };
 
 pub(crate) fn kernel(mesh: &PolygonMesh) -> EdgeUse {
     EdgeUse::build(mesh.complex()).unwrap()
