@@ -42,11 +42,11 @@ pub struct Entry {
     /// What of its file it is, where that has several parts.
     #[serde(skip_serializing_if = "Option::is_none")]
     part: Option<String>,
-    verdict: Verdict,
-    /// `check`, `repair`, or null where there is no report.
-    command: Option<&'static str>,
-    /// The document of the check or the repair.
-    report: Value,
+    pub(crate) verdict: Verdict,
+    /// `check`, `repair`, `batch`, or null where there is no report.
+    pub(crate) command: Option<&'static str>,
+    /// The document of the check or the repair, or what a row says.
+    pub(crate) report: Value,
     #[serde(skip_serializing_if = "Option::is_none")]
     before: Option<State>,
     #[serde(skip_serializing_if = "Option::is_none")]

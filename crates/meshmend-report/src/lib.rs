@@ -33,6 +33,7 @@ mod mesh;
 mod packed;
 mod page;
 mod pictures;
+mod rows;
 mod state;
 mod thinned;
 mod verdict;

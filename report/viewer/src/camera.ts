@@ -10,6 +10,15 @@ export const SIDES: [string, number, number][] = [
   ["front", -90, 0], ["back", 90, 0], ["left", 180, 0], ["right", 0, 0], ["top", -90, 90], ["bottom", -90, -90],
 ];
 
+/** Azimuth and elevation in degrees. */
+export type Direction = [number, number];
+
+/** The direction towards an eye. */
+export function towards([azimuth, elevation]: Direction): Vector3 {
+  const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
+  return new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
+}
+
 export class Camera {
   /** Degrees about the z axis, and above the plane across it. */
   azimuth = -50;
@@ -78,21 +87,10 @@ export class Camera {
     this.changed();
   }
 
-  /** Goes to where a place of some size fills a part of the view, seen from its front if that looks away. */
-  flyTo(place: Point, size: number, front: Point | null): void {
+  /** Goes to where a place of some size fills a part of the view, seen from a direction. */
+  flyTo(place: Point, size: number, [azimuth, elevation]: Direction): void {
     const from = { target: this.target.clone(), distance: this.distance, azimuth: this.azimuth, elevation: this.elevation };
-    const to = { target: new Vector3(...place), distance: 0, azimuth: this.azimuth, elevation: this.elevation };
-    to.distance = Math.max(size, this.radius * 0.02) * 3.2 / Math.tan((FIELD * Math.PI) / 360);
-    to.distance = Math.min(to.distance, this.radius * 3.8);
-    const normal = front === null ? null : new Vector3(...front);
-    if (normal !== null && normal.lengthSq() > 0) {
-      normal.normalize();
-      if (normal.dot(this.towardsEye()) < 0.35) {
-        const mixed = normal.multiplyScalar(1.4).add(this.towardsEye().multiplyScalar(0.5)).normalize();
-        to.elevation = Math.max(-88, Math.min(88, (Math.asin(mixed.z) * 180) / Math.PI));
-        to.azimuth = (Math.atan2(mixed.y, mixed.x) * 180) / Math.PI;
-      }
-    }
+    const to = { target: new Vector3(...place), distance: this.closeUp(size), azimuth, elevation };
     const turn = ((((to.azimuth - from.azimuth) % 360) + 540) % 360) - 180;
     const at = (t: number) => {
       this.target.lerpVectors(from.target, to.target, t);
@@ -138,10 +136,24 @@ export class Camera {
     return camera;
   }
 
-  towardsEye(): Vector3 {
-    const [a, e] = [(this.azimuth * Math.PI) / 180, (this.elevation * Math.PI) / 180];
-    return new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
+  /** From how far a place of some size is looked at. */
+  closeUp(size: number): number {
+    const near = Math.max(size, this.radius * 0.02) * 3.2 / Math.tan((FIELD * Math.PI) / 360);
+    return Math.min(near, this.radius * 3.8);
   }
+
+  /** Directions from which something may be seen better, the present one and those near it first. */
+  directions(): Direction[] {
+    const all: Direction[] = [[this.azimuth, this.elevation]];
+    for (const turn of [0, 40, -40, 80, -80, 120, -120, 160, -160]) {
+      for (const elevation of [24, 60, -24, -60]) all.push([this.azimuth + turn, elevation]);
+    }
+    const eye = this.towardsEye();
+    const nearness = new Map(all.map(direction => [direction, towards(direction).dot(eye)]));
+    return all.sort((a, b) => nearness.get(b)! - nearness.get(a)!);
+  }
+
+  towardsEye(): Vector3 { return towards([this.azimuth, this.elevation]); }
 
   private axes(): [Vector3, Vector3] {
     const a = (this.azimuth * Math.PI) / 180;

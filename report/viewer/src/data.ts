@@ -15,7 +15,7 @@ export interface Entry {
   name: string;
   part?: string;
   verdict: { state: string; sentence: string };
-  command: "check" | "repair" | null;
+  command: "check" | "repair" | "batch" | null;
   report: Json;
   before?: StateData;
   after?: StateData;
@@ -72,6 +72,8 @@ export interface Item {
   vertex?: number;
   edge?: number;
   face?: number;
+  /** The kind of defect. */
+  kind?: string;
   ends?: [number, number];
   faces?: number[];
   edge_ends?: [number, number][];
@@ -82,13 +84,15 @@ export interface Group { kind: string; severity: "defect" | "note"; count: numbe
 
 /** The defects of a state, group by group. */
 export function groups(entry: Entry, state: StateName): Group[] {
-  const report = entry.command === "repair" ? entry.report?.[state] : state === "before" ? entry.report : null;
+  const report = hasStates(entry) ? entry.report?.[state] : state === "before" ? entry.report : null;
   return report?.defects ?? [];
 }
 
+const hasStates = (entry: Entry): boolean => entry.command === "repair" || entry.command === "batch";
+
 /** The figures of a state. */
 export function figures(entry: Entry, state: StateName): Json {
-  return entry.command === "repair" ? entry.report?.[state] ?? null : state === "before" ? entry.report : null;
+  return hasStates(entry) ? entry.report?.[state] ?? null : state === "before" ? entry.report : null;
 }
 
 export type StateName = "before" | "after";

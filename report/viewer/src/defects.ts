@@ -28,9 +28,9 @@ export class DefectList {
     this.more.clear();
     this.places.clear();
     this.current = -1;
-    const defects = layers.filter(layer => layer.group?.severity === "defect");
-    const notes = layers.filter(layer => layer.group?.severity === "note");
-    const others = layers.filter(layer => layer.group === null);
+    const defects = layers.filter(layer => layer.section === "defect");
+    const notes = layers.filter(layer => layer.section === "note");
+    const others = layers.filter(layer => layer.section === "other");
     const open = (defects[0] ?? notes[0])?.name;
     replace(this.root,
       defects.length === 0 && h("p", { class: "good" }, isEmptySaying),
@@ -38,7 +38,7 @@ export class DefectList {
       notes.length > 0 && h("h2", {}, "Worth knowing"),
       ...notes.map(layer => this.group(layer, layer.name === open)),
       others.length > 0 && h("h2", {}, "How it hangs together, and what was done"),
-      ...others.map(layer => h("div", { class: "group plain" }, this.box(layer), h("div", { class: "summary" }, ...this.head(layer)))),
+      ...others.map(layer => layer.items.length > 0 ? this.group(layer, false) : h("div", { class: "group plain" }, this.box(layer), h("div", { class: "summary" }, ...this.head(layer)))),
     );
   }
 
@@ -73,10 +73,9 @@ export class DefectList {
   }
 
   private group(layer: Layer, isOpen: boolean): HTMLElement {
-    const { group } = layer;
     const list = h("ol", { class: "items", "aria-label": layer.title });
     const base = this.items.length;
-    const items = group?.items ?? [];
+    const { items } = layer;
     items.forEach(item => this.items.push({ layer, item }));
     let filled = 0;
     const more = () => {
@@ -85,8 +84,8 @@ export class DefectList {
       for (; filled < to; filled++) put(list, this.row(base + filled, items[filled]));
       if (filled < items.length) {
         put(list, h("li", { class: "more" }, h("button", { type: "button", click: more }, `${counted(items.length - filled, "more", "more")}`)));
-      } else if (group !== null && items.length < group.count) {
-        put(list, h("li", { class: "more" }, `and ${shown(group.count - items.length)} more that this page does not list`));
+      } else if (layer.name !== "components" && items.length > 0 && items.length < layer.of) {
+        put(list, h("li", { class: "more" }, `and ${shown(layer.of - items.length)} more that this page does not list`));
       }
     };
     const details = h("details", {},

@@ -17,7 +17,7 @@ export function indexPanel(root: HTMLElement, page: PageData, open: (entry: numb
   const folder = common(page.entries.map(entry => entry.name));
   const rows: Row[] = page.entries.map((entry, number) => ({
     entry: number,
-    cells: [title(entry).slice(folder.length), entry.verdict.state.replace("-", " "), figures(entry, "before")?.faces ?? 0, total(entry, "before"), entry.command === "repair" ? total(entry, "after") : "–"],
+    cells: [title(entry).slice(folder.length), entry.verdict.state.replace("-", " "), figures(entry, "before")?.faces ?? 0, total(entry, "before"), entry.command === "repair" ? total(entry, "after") : entry.verdict.state === "mended" || entry.verdict.state === "sound" ? 0 : "–"],
   }));
   const body = h("tbody", {});
   const heads = COLUMNS.map((name, column) => h("th", { scope: "col", class: column >= 2 ? "number" : "" },

@@ -1,9 +1,10 @@
 // The layers of a state: what each shows, how it looks, and whether it is on.
 
-import { Entry, Group, StateData, StateName, groups, numbers } from "./data.js";
+import { Entry, Item, StateData, StateName, figures, groups, numbers } from "./data.js";
 import { Shown } from "./drawing.js";
 import { Mesh, NOWHERE } from "./mesh.js";
 import { Look, looks } from "./palette.js";
+import { boundaryLoops, componentItems } from "./pieces.js";
 
 export interface Layer {
   name: string;
@@ -13,8 +14,10 @@ export interface Layer {
   of: number;
   look: Look;
   isOn: boolean;
-  /** The defects that it stands for. */
-  group: Group | null;
+  /** Where it stands among the others. */
+  section: "defect" | "note" | "other";
+  /** What of it can be gone to. */
+  items: Item[];
   hint: string;
   shown(): Shown;
   options: { fill?: number; order?: number };
@@ -30,7 +33,7 @@ export function layers(entry: Entry, state: StateName, data: StateData, mesh: Me
     const mark = data.marks[group.kind];
     found.push({
       name: group.kind, title: kinds[group.kind]?.title ?? group.kind, count: mark?.drawn ?? 0, of: group.count,
-      look: look.get(group.kind)!, isOn: group.severity === "defect" || group.kind === "boundary-edge", group,
+      look: look.get(group.kind)!, isOn: group.severity === "defect" || group.kind === "boundary-edge", section: group.severity, items: group.items,
       hint: kinds[group.kind]?.explanation ?? "", options: { order: group.severity === "defect" ? 3 : 2, ...(mark?.strips === undefined ? {} : { fill: 0.5 }) },
       shown: () => {
         if (mark === undefined) return nothing();
@@ -50,12 +53,33 @@ export function layers(entry: Entry, state: StateName, data: StateData, mesh: Me
   return found.concat(further(entry, state, data, mesh, look, kinds));
 }
 
+/** The defects of an entry whose mesh is not in the page: they are counted, and nothing is drawn. */
+export function countedOnly(entry: Entry, kinds: Record<string, { title: string; explanation: string }>): Layer[] {
+  const look = looks(layerNames(entry));
+  return groups(entry, "before").map(group => ({
+    name: group.kind, title: kinds[group.kind]?.title ?? group.kind, count: 0, of: group.count, look: look.get(group.kind)!, isOn: false,
+    section: group.severity, items: [], hint: kinds[group.kind]?.explanation ?? "", shown: nothing, options: {},
+  }));
+}
+
 function further(entry: Entry, state: StateName, data: StateData, mesh: Mesh, look: Map<string, Look>, kinds: Record<string, { title: string }>): Layer[] {
   const found: Layer[] = [];
-  const add = (name: string, title: string, count: number, hint: string, of: string, shown: () => Shown, isOn = false, options: Layer["options"] = {}) => {
-    if (count > 0) found.push({ name, title, count, of: count, look: { ...look.get(of)! }, isOn, group: null, hint, shown, options });
+  const add = (name: string, title: string, count: number, hint: string, of: string, shown: () => Shown, isOn = false, options: Layer["options"] = {}, items: Item[] = []) => {
+    if (count > 0) found.push({ name, title, count, of: count, look: { ...look.get(of)! }, isOn, section: "other", items, hint, shown, options });
   };
   const { loops } = data;
+  const report = figures(entry, state);
+  const components = componentItems(report, mesh);
+  if (loops.components !== undefined) {
+    add("components", "components", report?.components ?? 0, "Pieces that share no vertex with each other; its box colours the faces by them.", "components", nothing, false, {}, components);
+  }
+  const boundary = data.marks["boundary-edge"];
+  if (boundary !== undefined && boundary.drawn === boundary.count && typeof report?.boundary_loops === "number") {
+    const found = boundaryLoops(mesh, numbers(boundary.edges));
+    const ends = found.flatMap(loop => (loop.edge_ends ?? []).flat());
+    add("boundary-loops", "boundary loops", found.length, "Closed paths of boundary edges: each is a hole, or the outer border of a sheet. The longest come first.", "boundary-edge",
+      () => ({ vertices: [], faces: [], ends: pairs(mesh, ends) }), false, {}, found);
+  }
   for (const [reason, faces] of state === "before" ? entry.changes?.removed ?? [] : []) {
     const ids = numbers(faces);
     add(`removed:${reason}`, `removed: ${kinds[reason]?.title ?? reason}`, ids.length, "Faces that the repair took away, for this reason.", "removed", () => {
@@ -88,7 +112,7 @@ function further(entry: Entry, state: StateName, data: StateData, mesh: Mesh, lo
 /** The names of all layers that may need a look of their own. */
 export function layerNames(entry: Entry): string[] {
   const kinds = [...groups(entry, "before"), ...groups(entry, "after")].map(group => group.kind);
-  return [...new Set(kinds), "removed", "generators", "flipped", "created", "seam", "tree", "cotree"];
+  return [...new Set(kinds), "removed", "components", "generators", "flipped", "created", "seam", "tree", "cotree"];
 }
 
 function facePlaces(mesh: Mesh, ids: ArrayLike<number>): number[] {

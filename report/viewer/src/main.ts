@@ -5,10 +5,10 @@ import { control } from "./controls.js";
 import { DefectList } from "./defects.js";
 import { h, replace, shown } from "./dom.js";
 import { indexPanel } from "./index.js";
-import { Layer, layerNames, layers } from "./layers.js";
+import { Layer, countedOnly, layerNames, layers } from "./layers.js";
 import { linked } from "./links.js";
 import { Mesh } from "./mesh.js";
-import { countsTable, repairPanel, topologyPanel } from "./panels.js";
+import { countsTable, repairPanel, rowPanel, topologyPanel } from "./panels.js";
 import { Found, Selected, find, findItem, fragment, ofFragment } from "./selection.js";
 import { Tabs } from "./tabs.js";
 import { Toolbar } from "./toolbar.js";
@@ -17,6 +17,8 @@ import { Seen, View } from "./view.js";
 const page = JSON.parse(document.getElementById("data")!.textContent!) as PageData;
 /** From so many faces on a mesh is drawn plainly, so that it turns where there is no graphics card. */
 const LARGE = 300_000;
+/** Whether there is no mesh at all: the page is on a batch. */
+const isOfRows = page.entries.length > 0 && page.entries.every(entry => entry.command === "batch");
 const several = page.entries.length > 1;
 
 class Report {
@@ -67,7 +69,11 @@ class Report {
       h("main", {}, h("section", { class: "seen", "aria-label": "the mesh" }, this.toolbar?.element ?? null, this.stage, this.note, this.paper, help()),
         h("aside", { "aria-label": "the report" }, this.tabs.bar, this.tabs.panels)),
       h("footer", {}, `${page.program}${page.date === null ? "" : `, ${page.date}`}. This page is whole: it asks no network for anything.`));
-    this.index = several ? indexPanel(this.files, page, entry => this.goTo({ entry, state: "before", element: "" })) : null;
+    this.index = several ? indexPanel(this.files, page, entry => {
+      this.goTo({ entry, state: "before", element: "" });
+      if (isOfRows) this.tabs.open("repair");
+    }) : null;
+    document.body.classList.toggle("rows", isOfRows);
     addEventListener("hashchange", () => { if (location.hash !== this.ownFragment) this.follow(); });
     addEventListener("beforeprint", () => this.print());
     this.follow();
@@ -101,9 +107,10 @@ class Report {
     replace(this.info);
     this.say(entry);
     this.index?.current(number);
-    this.tabs.hide("repair", entry.command !== "repair");
+    this.tabs.hide("repair", entry.command !== "repair" && entry.command !== "batch");
     this.tabs.hide("topology", entry.command === null);
     if (entry.command === "repair") repairPanel(this.repair, page, entry, { entry: number, state: "before", several });
+    if (entry.command === "batch") rowPanel(this.repair, entry);
     if (entry.command !== null) topologyPanel(this.topology, entry, { showLayer: name => this.showLayer(name) });
     this.showStates();
     this.showList();
@@ -137,11 +144,19 @@ class Report {
 
   private showList(): void {
     const state = this.states.get(this.listed);
+    if (state === undefined && page.entries[this.entry].command === "batch") {
+      this.defects.show(countedOnly(page.entries[this.entry], page.kinds), "No defect was found.");
+      return;
+    }
     const sound = this.listed === "after" ? "No defect is left." : "No defect was found.";
     this.defects.show(state?.layers ?? [], state === undefined ? "There is no mesh to look at." : sound);
   }
 
   private drawLayer(state: StateName, layer: Layer): void {
+    if (layer.name === "components") {
+      if (this.view !== null && this.view.look.components !== layer.isOn) this.toolbar?.toggle("components");
+      return;
+    }
     this.view?.layer(state, layer.name, layer.isOn ? layer.shown() : null, layer.look, layer.options);
   }
 
@@ -181,7 +196,7 @@ class Report {
 
   private mark(state: StateName, found: Found, data: object, flies = true): void {
     this.view?.mark(state, found.shown);
-    if (flies) this.view?.camera.flyTo(found.point, found.size, found.front);
+    if (flies) this.view?.flyTo(state, found);
     const where = { entry: this.entry, state, several };
     const copy = h("button", { type: "button", class: "copy", click: () => {
       const text = JSON.stringify({ file: title(page.entries[this.entry]), state, ...data });

@@ -84,6 +84,20 @@ function geometry(page: PageData, changes: Json): (HTMLElement | false)[] {
       ...["before", "mended", "new", "left"].map(key => h("td", { class: "number" }, change === null ? "–" : shown((change as Json)[key]))))))))];
 }
 
+/** What became of a file of a batch. */
+export function rowPanel(root: HTMLElement, entry: Entry): void {
+  const row = entry.report.row;
+  const facts: [string, string | null][] = [
+    ["Status", row.status], ["Message", row.message], ["Output", row.output], ["Format", [row.format_in, row.format_out].filter(Boolean).join(" → ") || null],
+    ["Size", row.size === null ? null : `${shown(row.size)} bytes`], ["Took", `${shown(Number(row.seconds.toPrecision(3)))} s`],
+    ["Tried", row.attempts > 1 ? `${row.attempts} times` : null], ["Faces removed", shown(row.removed_faces)], ["Faces turned", shown(row.flipped_faces)],
+    ["Vertices created", shown(row.created_vertices)], ["Vertices joined", shown(row.welded_vertices)],
+    ["Not carried", row.losses.length > 0 ? row.losses.map((loss: Json) => `${loss.kind}: ${shown(loss.count)}`).join(", ") : null],
+  ];
+  replace(root, h("div", { class: "wide", tabindex: 0, role: "region", "aria-label": "what became of the file" }, h("table", {}, h("tbody", {},
+    ...facts.filter(([, value]) => value !== null && value !== "").map(([name, value]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, value)))))));
+}
+
 /** The figures with a sentence each. */
 export function topologyPanel(root: HTMLElement, entry: Entry, asked: PanelAsked): void {
   const [before, after] = [figures(entry, "before"), figures(entry, "after")];

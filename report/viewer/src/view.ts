@@ -1,12 +1,15 @@
 // The view in 3D: one canvas that shows the mesh before, after, or both with a border that can be moved.
 
 import { Color, Group, Plane, Scene, Vector3, WebGLRenderer } from "three";
-import { Camera } from "./camera.js";
+import { Camera, Direction, towards } from "./camera.js";
 import { Mesh, NOWHERE, Point } from "./mesh.js";
 import { Surface, outlines } from "./surface.js";
 import { Shown, dispose, overlay } from "./drawing.js";
 import { StateName } from "./data.js";
 import { Look } from "./palette.js";
+
+/** From so many faces on, a walk over all of them is felt. */
+const LONG_WALK = 200_000;
 
 export type Mode = StateName | "both";
 
@@ -102,6 +105,27 @@ export class View {
     this.draw();
   }
 
+  /** Goes to a place where it is seen: as it is looked at now, else from the nearest direction without a face between. */
+  flyTo(state: StateName, { point, size, shown, front }: { point: Point; size: number; shown: Shown; front: Point | null }): void {
+    const { camera } = this;
+    const mesh = this.stages.get(state)?.seen.mesh;
+    const place = new Vector3(...point);
+    const own = new Set(shown.faces);
+    const normal = front === null ? null : new Vector3(...front).normalize();
+    const isSeen = (direction: Direction) => {
+      if (mesh === undefined) return true;
+      const eye = towards(direction);
+      if (normal !== null && normal.lengthSq() > 0.5 && Math.abs(normal.dot(eye)) < 0.2) return false;
+      const from = place.clone().addScaledVector(eye, camera.closeUp(size));
+      const hit = nearest(mesh, from, place.clone().sub(from), null);
+      return hit === null || hit.share > 0.995 || own.has(hit.face);
+    };
+    // Each look is a walk over all faces.
+    const tried = (mesh?.shownFaces ?? 0) > LONG_WALK ? 4 : 40;
+    const all = camera.directions();
+    camera.flyTo(point, size, all.slice(0, tried).find(isSeen) ?? all[0]);
+  }
+
   /** Draws once the browser is ready for it. */
   draw(): void {
     if (this.isWaiting) return;
@@ -123,7 +147,7 @@ export class View {
     const from = new Vector3(u, v, -1).unproject(camera);
     const along = new Vector3(u, v, 1).unproject(camera).sub(from);
     const hit = nearest(stage.seen.mesh, from, along, this.look.clip === null ? null : this.plane);
-    return hit === null ? null : { state, ...hit };
+    return hit === null ? null : { state, face: hit.face, point: hit.point };
   }
 
   /** The plane that cuts the view, from the share of the mesh's box that is left. */
@@ -196,8 +220,8 @@ export class View {
   }
 }
 
-/** The nearest face that a ray meets. */
-function nearest(mesh: Mesh, from: Vector3, along: Vector3, plane: Plane | null): { face: number; point: Point } | null {
+/** The nearest face that a ray meets, where, and at which share of the way along it. */
+function nearest(mesh: Mesh, from: Vector3, along: Vector3, plane: Plane | null): { face: number; point: Point; share: number } | null {
   const { vertices, faces } = mesh.triangles();
   const p = mesh.positions;
   let [best, face] = [Infinity, NOWHERE];
@@ -220,5 +244,5 @@ function nearest(mesh: Mesh, from: Vector3, along: Vector3, plane: Plane | null)
     [best, face] = [s, faces[t]];
   }
   if (face === NOWHERE) return null;
-  return { face, point: [from.x + along.x * best, from.y + along.y * best, from.z + along.z * best] };
+  return { face, point: [from.x + along.x * best, from.y + along.y * best, from.z + along.z * best], share: best };
 }

@@ -79,9 +79,9 @@ export function near(picture, colour, tolerance = 40) {
 }
 
 /** How many pixels of two pictures differ. */
-export function differing(a, b) {
+export function differing(a, b, threshold = 0.15) {
   if (a.width !== b.width || a.height !== b.height) return a.width * a.height;
-  return pixelmatch(a.data, b.data, null, a.width, a.height, { threshold: 0.15 });
+  return pixelmatch(a.data, b.data, null, a.width, a.height, { threshold });
 }
 
 /** Compares with the picture that is kept, or keeps it where UPDATE=1. */

@@ -16,6 +16,11 @@ before(() => {
   writeFileSync(join(folder, "bad.ply"), "this is no mesh\n");
   meshmend("make", "klein-bottle", "-o", "klein.obj");
   meshmend("make", "surface", "--genus", "4", "-o", "four.obj");
+  // A cube with a hole, and another one beside it.
+  const cube = "f 1 2 4 3\nf 1 3 7 5\nf 1 5 6 2\nf 2 6 8 4\nf 3 4 8 7\nf 5 7 8 6\n";
+  const points = [0, 3].flatMap(x => Array.from({ length: 8 }, (_, i) => `v ${x + (i & 1)} ${(i >> 1) & 1} ${i >> 2}\n`)).join("");
+  writeFileSync(join(folder, "two.obj"), points + cube.replace("f 5 7 8 6\n", "") + cube.replace(/\d+/g, v => Number(v) + 8));
+  meshmend("report", "two.obj", "-o", "holed.html", "--check-only");
   meshmend("report", "broken.obj", "-o", "broken.html", "--geometry");
   meshmend("report", "klein.obj", "-o", "klein.html", "--check-only");
   meshmend("report", "four.obj", "-o", "four.html");
@@ -220,6 +225,42 @@ test("figures of the topology stand with a sentence each and lead to what they c
   await close();
 });
 
+test("boundary loops and components are listed and gone to", async () => {
+  const { page, close } = await open("holed.html");
+  for (const [title, says] of [["boundary loops", /^\d+ edges from v\d+/], ["components", /^2 × sphere|sphere|disc/]]) {
+    const details = page.locator("details", { hasText: title }).last();
+    await details.locator("summary").click();
+    await details.locator(".item").first().click();
+    await settled(page);
+    assert.match(await page.locator(".info p").innerText(), says);
+  }
+  await page.locator("canvas").first().press("Escape");
+  await page.locator("canvas").first().press("f");
+  await settled(page);
+  const was = await view(page);
+  // Whoever goes to a component sees which faces are it.
+  assert.ok(await page.locator('[data-layer="components"]').isChecked());
+  await page.locator('[data-layer="components"]').uncheck();
+  await settled(page);
+  assert.ok(differing(was, await view(page), 0.05) > 3000, "components have colours");
+  await close();
+});
+
+test("a defect is gone to where it is seen", async () => {
+  const { page, close } = await open("broken.html");
+  for (const item of await page.locator("details", { hasText: "inconsistently oriented" }).last().locator("summary").all()) await item.click();
+  await page.locator("details", { hasText: "inconsistently oriented" }).last().locator(".item").nth(1).click();
+  await settled(page);
+  const picture = await view(page);
+  let bright = 0;
+  for (let y = picture.height * 0.4 | 0; y < picture.height * 0.6; y++) for (let x = picture.width * 0.4 | 0; x < picture.width * 0.6; x++) {
+    const i = 4 * (y * picture.width + x);
+    if (picture.data[i] > 240 && picture.data[i + 1] > 190 && picture.data[i + 2] < 60) bright++;
+  }
+  assert.ok(bright > 60, `${bright} pixels of the mark in the middle`);
+  await close();
+});
+
 test("a Klein bottle shows the strip that comes back mirrored", async () => {
   const { page, close } = await open("klein.html");
   const box = page.locator('[data-layer="non-orientable-patch"]');
@@ -260,6 +301,20 @@ test("the index sorts, filters and opens", async () => {
   await page.getByRole("button", { name: "bad.ply" }).click();
   assert.match(await page.locator(".verdict").innerText(), /PLY/);
   await page.goto("about:blank");
+  await close();
+});
+
+test("a batch has a page of rows", async () => {
+  meshmend("batch", "broken.obj", "klein.obj", "bad.ply", "-o", "mended", "--html", "batch.html");
+  const { page, errors, close } = await open("batch.html");
+  assert.deepEqual(errors, []);
+  assert.ok(!(await page.locator("canvas").first().isVisible()));
+  const rows = await page.locator(".files tbody tr").allInnerTexts();
+  assert.deepEqual(rows.map(row => row.split(/\s+/)[0]), ["bad.ply", "broken.obj", "klein.obj"]);
+  await page.getByRole("button", { name: "broken.obj" }).click();
+  assert.match(await page.locator("#panel-repair").innerText(), /Output\s+mended\/broken.obj/);
+  await page.locator("#tab-defects").click();
+  assert.match(await page.locator("#panel-defects").innerText(), /non-manifold edges\s+4/);
   await close();
 });
 
@@ -323,7 +378,7 @@ test("pages look as they did", async () => {
 test("the README's picture is what is seen", async () => {
   const { page, close } = await open("broken.html", { context: { viewport: { width: 1180, height: 720 } } });
   await page.locator("summary", { hasText: "inconsistently oriented edges" }).click();
-  await page.locator("details", { hasText: "inconsistently oriented edges" }).last().locator(".item").nth(2).click();
+  await page.locator("details", { hasText: "inconsistently oriented edges" }).last().locator(".item").nth(1).click();
   await settled(page);
   // Texts look different with other fonts.
   golden("report", PNG.sync.read(await page.screenshot()), 0.08, join(root, "docs/report.png"));

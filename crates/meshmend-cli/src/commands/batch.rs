@@ -8,10 +8,15 @@ use std::sync::Arc;
 use std::thread::available_parallelism;
 use std::time::Duration;
 
+#[cfg(feature = "report")]
+use std::collections::BTreeMap;
+
 use clap::{ArgMatches, Args, parser::ValueSource};
 use meshmend::passes::Passes;
 use meshmend::report::{BatchDocument, Row, RowStatus};
 use meshmend::{Format, Rules};
+#[cfg(feature = "report")]
+use meshmend_report::{Entry, EntryOptions};
 
 use super::worker::Worker;
 use crate::batch::{Ledger, Limits, Listed, Stop, Supervisor, Task, Tree, listed, of_line};
@@ -19,6 +24,10 @@ use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::jobs::{Job, JobInput, JobOutput, Reports, Work, cost, size};
 use crate::output_words::OutputWords;
+#[cfg(feature = "report")]
+use crate::outputs::{Content, Files};
+#[cfg(feature = "report")]
+use crate::pages::{self, PageFile};
 use crate::policies;
 use crate::repair_words::RepairWords;
 use crate::streams::is_stream;
@@ -62,6 +71,10 @@ pub(crate) struct Batch {
     /// Where the rows go, a line each; by default batch.jsonl in the folder of the results
     #[arg(long, value_name = "FILE")]
     ledger: Option<PathBuf>,
+    /// Also write a page with a row for each file, to be sorted and filtered
+    #[cfg(feature = "report")]
+    #[arg(long, value_name = "PAGE")]
+    html: Option<PathBuf>,
     /// What stands in the names of results before the extension
     #[arg(long, value_name = "S", default_value = "")]
     suffix: String,
@@ -112,6 +125,8 @@ impl Batch {
         let path = self.ledger.clone().unwrap_or_else(|| self.output.join(LEDGER));
         let list = self.from.as_deref().filter(|list| !is_stream(list));
         let outputs = tree.outputs(&files, list, &path)?;
+        #[cfg(feature = "report")]
+        self.check_page(&files, &path)?;
 
         fs::create_dir_all(&self.output)
             .map_err(|error| Failure::unwritable(&self.output.display().to_string(), error))?;
@@ -124,26 +139,49 @@ impl Batch {
             ));
         }
         let mut counts = BatchDocument::new(files.len() as u64, path.display().to_string());
+        let mut all = AllRows::default();
         let mut tasks = Vec::new();
         for (at, (file, output)) in files.iter().zip(&outputs).enumerate() {
             match self.task(at as u64, file, output, &work) {
                 Ok(task) => {
                     match rows.by_path.get(&task.row.path).filter(|row| self.is_done(row, &task.row, output))
                     {
-                        Some(row) => counts.add_done_before(row),
+                        Some(row) => {
+                            counts.add_done_before(row);
+                            all.keep(row);
+                        }
                         None => tasks.push(task),
                     }
                 }
                 Err(row) => {
                     ledger.add(&row)?;
                     counts.add(&row);
+                    all.keep(&row);
                 }
             }
         }
-        self.supervise(tasks, &mut ledger, &mut counts, console)?;
+        self.supervise(tasks, (&mut ledger, &mut counts, &mut all), console)?;
+        #[cfg(feature = "report")]
+        if let Some(html) = &self.html {
+            all.page(rules, &files).write(html, console)?;
+        }
         let text = if self.json { super::check::json_line(&counts)? } else { told(&counts) };
         console.write(&text)?;
         Ok(if counts.failed() > 0 { Status::Failing } else { Status::Done })
+    }
+
+    /// Fails when the page would take the place of something else.
+    #[cfg(feature = "report")]
+    fn check_page(&self, files: &[Listed], ledger: &Path) -> Result<(), Failure> {
+        let Some(html) = &self.html else { return Ok(()) };
+        if is_stream(html) {
+            return Err(Failure::usage("--html writes a file"));
+        }
+        let taken = Files::default().writing("--ledger", Some(ledger), Content::Report);
+        let taken = files
+            .iter()
+            .fold(taken, |taken, file| taken.reading("the input", Some(&file.path), Content::Mesh));
+        taken.writing("--html", Some(html), Content::Report).check()
     }
 
     fn files(&self, console: &mut Console<'_>) -> Result<Vec<Listed>, Failure> {
@@ -188,8 +226,7 @@ impl Batch {
     fn supervise(
         &self,
         tasks: Vec<Task>,
-        ledger: &mut Ledger,
-        counts: &mut BatchDocument,
+        (ledger, counts, all): (&mut Ledger, &mut BatchDocument, &mut AllRows),
         console: &mut Console<'_>,
     ) -> Result<(), Failure> {
         let program = std::env::current_exe().map_err(|error| Failure::usage(error.to_string()))?;
@@ -207,6 +244,7 @@ impl Batch {
         let mut tell = |row: &Row| {
             progress.step(&row.path);
             counts.add(row);
+            all.keep(row);
             ledger.add(row)
         };
         let stop = Arc::new(Stop::default());
@@ -219,6 +257,33 @@ impl Batch {
             crate::signals::end_by(signal);
         }
         Ok(())
+    }
+}
+
+/// The rows of a run that are to be shown on a page.
+#[derive(Default)]
+struct AllRows {
+    #[cfg(feature = "report")]
+    by_path: BTreeMap<String, Row>,
+}
+
+impl AllRows {
+    #[cfg(feature = "report")]
+    fn keep(&mut self, row: &Row) {
+        self.by_path.insert(row.path.clone(), Row { report: None, ..row.clone() });
+    }
+
+    #[cfg(not(feature = "report"))]
+    fn keep(&mut self, _: &Row) {}
+
+    /// The page, with the files in the order in which they are listed.
+    #[cfg(feature = "report")]
+    fn page(&self, rules: Rules, files: &[Listed]) -> PageFile {
+        let paths: Vec<PathBuf> = files.iter().map(|file| file.path.clone()).collect();
+        let mut page = PageFile::of(&pages::title(None, &paths), rules, EntryOptions::default());
+        let rows = paths.iter().filter_map(|path| self.by_path.get(&path.display().to_string()));
+        page.page.entries.extend(rows.map(|row| Entry::of_row(row, rules)));
+        page
     }
 }
 
