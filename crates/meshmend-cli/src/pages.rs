@@ -22,7 +22,7 @@ pub(crate) fn title(said: Option<&str>, files: &[PathBuf]) -> String {
         (None, [file]) => {
             file.file_name().map_or_else(|| name(file), |name| name.to_string_lossy().into_owned())
         }
-        _ => format!("{} meshes", files.len()),
+        _ => format!("{} files", files.len()),
     }
 }
 
