@@ -10,7 +10,7 @@ use meshmend_io::Format;
 use crate::room::{NAMES, Room};
 
 /// The options and places of the command line that name a file to write.
-const WRITTEN: [&str; 5] = ["output", "report", "plot", "matrix_market", "svg"];
+const WRITTEN: [&str; 6] = ["output", "report", "plot", "matrix_market", "svg", "html"];
 /// The largest numbers that some options are run with: larger ones cost time or memory, and show nothing.
 const LARGEST: [(&str, u64); 8] = [
     ("threads", 4),
