@@ -41,13 +41,18 @@ struct Named<'a> {
 impl<'a> Files<'a> {
     /// The files of a command that reads a mesh.
     pub(crate) fn of_mesh(input: &'a Path) -> Self {
-        Files::default().reading("the input", Some(input), Content::Mesh)
+        Files::default().reading_meshes([input])
     }
 
     /// These files and one more that is read.
     pub(crate) fn reading(mut self, option: &'static str, path: Option<&'a Path>, content: Content) -> Self {
         self.inputs.extend(path.filter(|path| !is_stream(path)).map(|path| Named { option, path, content }));
         self
+    }
+
+    /// These files and meshes that are read.
+    pub(crate) fn reading_meshes(self, paths: impl IntoIterator<Item = &'a Path>) -> Self {
+        paths.into_iter().fold(self, |files, path| files.reading("the input", Some(path), Content::Mesh))
     }
 
     /// These files and one more that is written.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use meshmend::formats::Document;
 use meshmend::report::CheckDocument;
-use meshmend::{CheckOptions, CheckReport, DefectKind, PolygonMesh, Rules, check};
+use meshmend::{CheckReport, Rules};
 use meshmend_report::{Entry, EntryOptions, Page};
 
 use crate::console::Console;
@@ -45,50 +45,34 @@ impl PageFile {
         Ok(())
     }
 
-    /// Checks a part of a file and adds it; gives whether it fails the check. A sealed part is only named.
+    /// Adds a part of a file with the report on it. A part without one is sealed, and only named.
     pub(crate) fn add_part(
         &mut self,
         (file, document, number): (&Path, &Document, usize),
-        options: &CheckOptions,
-        fail_on: &[DefectKind],
+        report: Option<&CheckReport>,
         limit: usize,
-    ) -> Result<bool, Failure> {
+    ) -> Result<(), Failure> {
         let part = &document.parts[number];
-        if let Some(reason) = part.seal() {
+        let Some(report) = report else {
+            let reason = part.seal().unwrap_or_default();
             self.page.entries.push(Entry::without(&name(file), reason).of_part(part.title()));
-            return Ok(false);
-        }
-        let report = check(&part.mesh, options).map_err(|error| Failure::of_pass(&name(file), &error))?;
-        let report = report.listing(fail_on);
-        let is_failing = !report.is_sound() || fail_on.iter().any(|&kind| report.count(kind) > 0);
+            return Ok(());
+        };
         let shown = CheckDocument {
             file: Some(name(file)),
             format: Some(document.variant),
             notes: document.notes.clone(),
             ..CheckDocument::new(report.clone(), limit)
         };
-        let title = (!document.is_whole()).then(|| part.title());
-        self.add_checked((&name(file), title), (&part.mesh, &report), &shown)?;
-        Ok(is_failing)
+        let entry = Entry::of_check(&name(file), (&part.mesh, report), &shown, &self.options);
+        self.add(
+            entry.map(|entry| vec![if document.is_whole() { entry } else { entry.of_part(part.title()) }]),
+        )
     }
 
     /// Adds a file that could not be read or checked.
     pub(crate) fn add_failure(&mut self, file: &Path, failure: &Failure) {
         self.page.entries.push(Entry::without(&name(file), &failure.message));
-    }
-
-    /// Adds a mesh that was checked, which may be a part of a file.
-    fn add_checked(
-        &mut self,
-        (name, part): (&str, Option<String>),
-        checked: (&PolygonMesh, &CheckReport),
-        document: &CheckDocument,
-    ) -> Result<(), Failure> {
-        let entry = Entry::of_check(name, checked, document, &self.options);
-        self.add(entry.map(|entry| match part {
-            Some(title) => vec![entry.of_part(title)],
-            None => vec![entry],
-        }))
     }
 
     pub(crate) fn write(&self, path: &Path, console: &mut Console<'_>) -> Result<(), Failure> {

@@ -178,9 +178,7 @@ impl Batch {
             return Err(Failure::usage("--html writes a file"));
         }
         let taken = Files::default().writing("--ledger", Some(ledger), Content::Report);
-        let taken = files
-            .iter()
-            .fold(taken, |taken, file| taken.reading("the input", Some(&file.path), Content::Mesh));
+        let taken = taken.reading_meshes(files.iter().map(|file| file.path.as_path()));
         taken.writing("--html", Some(html), Content::Report).check()
     }
 

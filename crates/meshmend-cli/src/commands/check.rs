@@ -117,7 +117,7 @@ impl Check {
                     status = status.and(checked.status);
                     #[cfg(feature = "report")]
                     if let Some(page) = &mut page {
-                        self.add_to_page(file, &checked, &asked, page)?;
+                        self.add_to_page(file, &checked, page)?;
                     }
                     if self.table {
                         rows.extend(checked.into_reports());
@@ -165,30 +165,17 @@ impl Check {
                 "--html writes a file; `report --check-only -o -` writes to standard output",
             ));
         }
-        let files = self
-            .files
-            .iter()
-            .fold(Files::default(), |files, file| files.reading("the input", Some(file), Content::Mesh));
-        files.writing("--html", Some(path), Content::Report).check()?;
+        let inputs = Files::default().reading_meshes(self.files.iter().map(PathBuf::as_path));
+        inputs.writing("--html", Some(path), Content::Report).check()?;
         Ok(Some(PageFile::of(&pages::title(None, &self.files), program.rules, EntryOptions::default())))
     }
 
-    /// Puts a file into the page. It is looked at again, as lists and checks of a page are longer than those that are printed.
+    /// Puts a file into the page, whose lists are longer than those that are printed.
     #[cfg(feature = "report")]
-    fn add_to_page(
-        &self,
-        file: &Path,
-        checked: &CheckedFile,
-        asked: &Asked,
-        page: &mut PageFile,
-    ) -> Result<(), Failure> {
-        let document = &checked.document;
-        for (number, _) in &checked.reports {
-            let part = &document.parts[*number];
-            let usual = View::usual_for_part(document.format, part);
-            let options = asked.options.clone().with_view(self.weld.map_or(usual, Welding::view));
-            let limit = self.limit.max(USUAL_LIMIT);
-            page.add_part((file, document, *number), &options, &asked.failing_kinds(part), limit)?;
+    fn add_to_page(&self, file: &Path, checked: &CheckedFile, page: &mut PageFile) -> Result<(), Failure> {
+        let limit = self.limit.max(USUAL_LIMIT);
+        for ((number, _), whole) in checked.reports.iter().zip(&checked.whole) {
+            page.add_part((file, &checked.document, *number), whole.as_ref(), limit)?;
         }
         Ok(())
     }
@@ -213,9 +200,13 @@ impl Check {
             return self.check_by((names, &parts), path, document, (&options, asked));
         }
         let (mut status, mut reports) = (Status::Done, Vec::new());
+        #[cfg(feature = "report")]
+        let mut whole = Vec::new();
         for part in parts.chosen(&document)? {
             if document.parts[part].seal().is_some() {
                 reports.push((part, None));
+                #[cfg(feature = "report")]
+                whole.push(None);
                 continue;
             }
             let usual = View::usual_for_part(document.format, &document.parts[part]);
@@ -223,12 +214,20 @@ impl Check {
             let report = check(&document.parts[part].mesh, &options)
                 .map_err(|error| Failure::of_pass(&name(path), &error))?;
             let fail_on = asked.failing_kinds(&document.parts[part]);
-            let is_failing = Asked::is_failing(&report, &fail_on);
-            status = status.and(if is_failing { Status::Failing } else { Status::Done });
-            let report = CheckDocument::new(report.listing(&fail_on), self.limit);
-            reports.push((part, Some(report)));
+            status = status.and(status_of(&report, &fail_on));
+            let report = report.listing(&fail_on);
+            #[cfg(feature = "report")]
+            whole.push(self.html.is_some().then(|| report.clone()));
+            reports.push((part, Some(CheckDocument::new(report, self.limit))));
         }
-        Ok(CheckedFile { name: name(path), document, reports, status })
+        Ok(CheckedFile {
+            name: name(path),
+            document,
+            reports,
+            #[cfg(feature = "report")]
+            whole,
+            status,
+        })
     }
 
     /// The reports on the parts of a mesh by the names of its faces.
@@ -250,17 +249,20 @@ impl Check {
         for (number, named) in
             reports.into_iter().enumerate().filter(|(number, _)| chosen.binary_search(number).is_ok())
         {
-            status = status.and(if Asked::is_failing(&named.report, &asked.fail_on) {
-                Status::Failing
-            } else {
-                Status::Done
-            });
+            status = status.and(status_of(&named.report, &asked.fail_on));
             let shared = Listing::cut(named.shared_edges.into_iter(), self.limit);
             let mut report = CheckDocument::new(named.report.listing(&asked.fail_on), self.limit);
             report.shared_edges = Some(shared);
             kept.push((number, Some(report)));
         }
-        Ok(CheckedFile { name, document, reports: kept, status })
+        Ok(CheckedFile {
+            name,
+            document,
+            reports: kept,
+            #[cfg(feature = "report")]
+            whole: Vec::new(),
+            status,
+        })
     }
 
     fn text(&self, checked: &CheckedFile, console: &Console<'_>) -> Result<String, Failure> {
@@ -285,6 +287,9 @@ pub(crate) struct CheckedFile {
     pub(crate) document: Document,
     /// The parts that were asked for, by number. A sealed part has no report.
     pub(crate) reports: Vec<(usize, Option<CheckDocument>)>,
+    /// The reports that these are of, if a page is to have them.
+    #[cfg(feature = "report")]
+    whole: Vec<Option<CheckReport>>,
     /// Whether one of them fails the check.
     status: Status,
 }
@@ -356,10 +361,12 @@ impl Asked {
         }
         kinds
     }
+}
 
-    fn is_failing(report: &CheckReport, fail_on: &[DefectKind]) -> bool {
-        !report.is_sound() || fail_on.iter().any(|&kind| report.count(kind) > 0)
-    }
+/// Whether a mesh fails a check, by its defects and these kinds.
+pub(super) fn status_of(report: &CheckReport, fail_on: &[DefectKind]) -> Status {
+    let is_failing = !report.is_sound() || fail_on.iter().any(|&kind| report.count(kind) > 0);
+    if is_failing { Status::Failing } else { Status::Done }
 }
 
 /// A document as one line.

@@ -7,11 +7,12 @@ use clap::Args;
 use humantime::format_rfc3339_seconds;
 use meshmend::files::{FileRepair, FileTarget, Judged, PartChoice, WholeChecks};
 use meshmend::formats::Document;
-use meshmend::{CheckOptions, DefectKind, Format, View, WriteOptions};
+use meshmend::{CheckOptions, DefectKind, Format, View, WriteOptions, check};
 use meshmend_report::{Entry, EntryOptions};
 
 use crate::Program;
 use crate::batch::listed;
+use crate::commands::check::status_of;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;
@@ -60,11 +61,9 @@ impl Report {
     pub(crate) fn run(self, program: &Program, console: &mut Console<'_>) -> Result<Status, Failure> {
         let repair = self.repair(program)?;
         let files = self.listed()?;
-        let mut outputs = Files::default().reading("--plan", self.words.policies.plan_file(), Content::Plan);
-        for file in &files {
-            outputs = outputs.reading("the input", Some(file), Content::Mesh);
-        }
-        outputs.writing("--output", Some(&self.output), Content::Report).check()?;
+        let inputs = Files::default().reading("--plan", self.words.policies.plan_file(), Content::Plan);
+        let inputs = inputs.reading_meshes(files.iter().map(PathBuf::as_path));
+        inputs.writing("--output", Some(&self.output), Content::Report).check()?;
         reserve(&self.output, streams::Report::Text, console)?;
 
         let options = EntryOptions::default().with_max_faces(self.max_faces);
@@ -109,7 +108,7 @@ impl Report {
             }
         }
         if files.is_empty() {
-            return Err(Failure::usage("there is no mesh in what is named"));
+            return Err(Failure::usage("no mesh was found"));
         }
         Ok(files)
     }
@@ -164,10 +163,16 @@ impl Report {
         let fail_on: Vec<DefectKind> = repair.gate.defects();
         let mut status = Status::Done;
         for number in repair.parts.chosen(&document)? {
-            let view = View::usual_for_part(document.format, &document.parts[number]);
-            let options = options.clone().with_view(view);
-            let is_failing = page.add_part((file, &document, number), &options, &fail_on, repair.limit)?;
-            status = status.and(if is_failing { Status::Failing } else { Status::Done });
+            let part = &document.parts[number];
+            if part.seal().is_some() {
+                page.add_part((file, &document, number), None, repair.limit)?;
+                continue;
+            }
+            let options = options.clone().with_view(View::usual_for_part(document.format, part));
+            let report =
+                check(&part.mesh, &options).map_err(|error| Failure::of_pass(&name(file), &error))?;
+            status = status.and(status_of(&report, &fail_on));
+            page.add_part((file, &document, number), Some(&report.listing(&fail_on)), repair.limit)?;
         }
         Ok(status)
     }
