@@ -53,7 +53,7 @@ pub use error::{Place, ReadError, ReadErrorKind, WriteError, WriteErrorKind};
 pub use formats::encoding::Encoding;
 pub use formats::facts::TextureOrigin;
 pub use formats::format::Format;
-pub use formats::gltf::base64::Base64;
+pub use formats::gltf::base64::encode as base64;
 pub use formats::stl::colors::{ColorElements, decode_stl_colors};
 pub use input::options::ReadOptions;
 pub use input::read_file::ReadFile;

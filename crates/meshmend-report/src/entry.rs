@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use meshmend::files::{PartOutcome, RepairRecord, RepairedFile};
-use meshmend::report::{CheckDocument, Listing};
+use meshmend::report::CheckDocument;
 use meshmend::{CheckReport, PolygonMesh};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -188,12 +188,10 @@ impl Changes {
                 None => removed.push((reason.to_owned(), vec![face.face.0])),
             }
         }
-        let document = record.document(usize::MAX, meshmend::files::Maps::LeftOut);
-        let faces = |listing: &Listing<meshmend::FaceId>| listing.items.iter().map(|face| face.0).collect();
         Changes {
             removed: removed.into_iter().map(|(reason, faces)| (reason, Packed::Numbers(faces))).collect(),
-            flipped: faces(&document.flipped_faces),
-            created: document.created_faces.items.iter().map(|created| created.face.0).collect(),
+            flipped: record.repaired.provenance.flipped.iter().map(|face| face.0).collect(),
+            created: record.repaired.created_faces.iter().map(|(face, _)| face.0).collect(),
         }
     }
 }

@@ -55,13 +55,12 @@ impl Marks {
             found.add(report, &defect);
             drawn += 1;
         }
-        let ids = |ids: Vec<u32>| Packed::Numbers(ids);
         Marks {
             count: report.count(kind),
             drawn,
-            vertices: ids(found.vertices.iter().map(|&vertex| report.stored_vertex(vertex).0).collect()),
-            edges: ids(found.edges.iter().flatten().map(|&end| report.stored_vertex(end).0).collect()),
-            faces: ids(found.faces.iter().map(|&face| report.stored_face(face).0).collect()),
+            vertices: found.vertices.iter().map(|&vertex| report.stored_vertex(vertex).0).collect(),
+            edges: found.edges.iter().flatten().map(|&end| report.stored_vertex(end).0).collect(),
+            faces: found.faces.iter().map(|&face| report.stored_face(face).0).collect(),
             strips: found.strips,
         }
     }

@@ -83,7 +83,7 @@ impl MeshData {
         }
     }
 
-    /// Triangles that are no faces of a mesh, and only show its shape.
+    /// Triangles that show the shape of a mesh. They are not its faces.
     pub(crate) fn shape(points: &[[f64; 3]], triangles: Vec<[u32; 3]>, origin: [f64; 3]) -> Self {
         MeshData {
             origin,

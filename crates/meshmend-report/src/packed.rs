@@ -1,9 +1,6 @@
 //! Arrays in the page's data: base64 of little-endian numbers of four bytes.
 
-use std::io::Write;
-
-use meshmend::formats::Base64;
-use serde::ser::Error;
+use meshmend::formats::base64;
 use serde::{Serialize, Serializer};
 
 /// An array of numbers of four bytes each.
@@ -30,17 +27,8 @@ impl FromIterator<u32> for Packed {
 
 impl Serialize for Packed {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&base64(&self.bytes()).map_err(S::Error::custom)?)
+        serializer.serialize_str(&base64(&self.bytes()))
     }
-}
-
-/// Bytes in base64.
-pub(crate) fn base64(bytes: &[u8]) -> std::io::Result<String> {
-    let mut text = Vec::with_capacity(bytes.len().div_ceil(3) * 4);
-    let mut encoder = Base64::new(&mut text);
-    encoder.write_all(bytes)?;
-    encoder.finish()?;
-    Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
 #[cfg(test)]

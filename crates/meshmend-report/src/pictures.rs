@@ -3,9 +3,8 @@
 use std::io;
 
 use meshmend::PolygonMesh;
+use meshmend::formats::base64;
 use meshmend_render::{Outlines, Picture, Scene, Size};
-
-use crate::packed::base64;
 
 /// Up to so many faces a picture is one of lines, which stays sharp however it is printed.
 const MOST_LINES: usize = 2_000;
@@ -41,5 +40,5 @@ fn uri(picture: &Picture, is_of_lines: bool) -> io::Result<String> {
         picture.write_png(&mut bytes)?;
         "png"
     };
-    Ok(format!("data:image/{kind};base64,{}", base64(&bytes)?))
+    Ok(format!("data:image/{kind};base64,{}", base64(&bytes)))
 }

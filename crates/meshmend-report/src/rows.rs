@@ -54,7 +54,7 @@ fn verdict(row: &Row) -> Verdict {
         RowStatus::Mended => "Mended, and nothing is left.",
         RowStatus::Clean => "There was nothing to do.",
         RowStatus::Left => "Something is left of what was wrong.",
-        _ => "There is no result.",
+        _ => "It has no result.",
     };
     Verdict { state, sentence: row.message.clone().unwrap_or_else(|| usual.to_owned()) }
 }

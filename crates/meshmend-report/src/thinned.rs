@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use meshmend::PolygonMesh;
+use meshmend::mesh::canonical_rotation;
 
 use crate::mesh::{MeshData, bounds};
 
@@ -41,15 +42,10 @@ pub(crate) fn thinned(mesh: &PolygonMesh, most: usize, origin: [f64; 3]) -> Mesh
             let [a, b, c] = [vertices[0], pair[0], pair[1]].map(|vertex| of_vertex[vertex.0 as usize]);
             let (Some(a), Some(b), Some(c)) = (a, b, c) else { continue };
             if a != b && b != c && c != a {
-                let first = a.min(b).min(c);
-                let turned = if first == a {
-                    [a, b, c]
-                } else if first == b {
-                    [b, c, a]
-                } else {
-                    [c, a, b]
-                };
-                triangles.insert(turned);
+                let mut triangle = [a, b, c];
+                let first = canonical_rotation(&triangle);
+                triangle.rotate_left(first);
+                triangles.insert(triangle);
             }
         }
     }

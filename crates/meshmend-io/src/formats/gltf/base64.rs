@@ -45,10 +45,10 @@ pub(super) fn decode(text: &[u8]) -> Result<Vec<u8>, usize> {
     Ok(out)
 }
 
-/// A text for some bytes, with padding.
+/// Bytes as text in base64, with padding.
 ///
 /// *Cost*: linear.
-pub(super) fn encode(bytes: &[u8]) -> String {
+pub fn encode(bytes: &[u8]) -> String {
     let digits = |three: &[u8]| -> [u8; 4] {
         let digits = four_digits([0, 1, 2].map(|at| three.get(at).copied().unwrap_or(0)));
         std::array::from_fn(|place| if place > three.len() { b'=' } else { digits[place] })
@@ -57,23 +57,19 @@ pub(super) fn encode(bytes: &[u8]) -> String {
 }
 
 /// Writes bytes as text in base 64.
-pub struct Base64<'a> {
+pub(super) struct Base64<'a> {
     out: &'a mut dyn Write,
     /// Up to two bytes that wait for a third one.
     rest: Vec<u8>,
 }
 
 impl<'a> Base64<'a> {
-    /// Text that goes to a sink.
-    pub fn new(out: &'a mut dyn Write) -> Self {
+    pub(super) fn new(out: &'a mut dyn Write) -> Self {
         Base64 { out, rest: Vec::new() }
     }
 
     /// Writes the last digits.
-    ///
-    /// # Errors
-    /// If the sink can't take them.
-    pub fn finish(self) -> io::Result<()> {
+    pub(super) fn finish(self) -> io::Result<()> {
         let digits = four_digits([0, 1, 2].map(|at| self.rest.get(at).copied().unwrap_or(0)));
         match self.rest.len() {
             0 => Ok(()),
