@@ -3,9 +3,10 @@
 use std::io::{self, Write};
 
 use meshmend_core::Blend;
-use serde::ser::{SerializeMap, SerializeSeq};
+use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use super::array::{Array, Values};
 use super::{CAUSES, ElementMap, ElementMaps, npy};
 use crate::files::{PartOutcome, RepairedFile};
 
@@ -16,22 +17,6 @@ const NONE: i64 = -1;
 #[derive(Clone, Debug, Default)]
 pub struct MapsFile {
     arrays: Vec<Array>,
-}
-
-/// An array under its name.
-#[derive(Clone, Debug)]
-pub(super) struct Array {
-    pub(super) name: String,
-    /// How many values there are in a row.
-    pub(super) width: usize,
-    pub(super) values: Values,
-}
-
-#[derive(Clone, Debug)]
-pub(super) enum Values {
-    Integers(Vec<i64>),
-    Bytes(Vec<u8>),
-    Words(&'static [&'static str]),
 }
 
 impl MapsFile {
@@ -120,20 +105,5 @@ impl Serialize for MapsFile {
         let mut map = serializer.serialize_map(Some(self.arrays.len()))?;
         self.arrays.iter().try_for_each(|array| map.serialize_entry(&array.name, array))?;
         map.end()
-    }
-}
-
-impl Serialize for Array {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match &self.values {
-            Values::Integers(values) if self.width > 1 => {
-                let mut rows = serializer.serialize_seq(Some(values.len() / self.width))?;
-                values.chunks_exact(self.width).try_for_each(|row| rows.serialize_element(row))?;
-                rows.end()
-            }
-            Values::Integers(values) => values.serialize(serializer),
-            Values::Bytes(values) => values.serialize(serializer),
-            Values::Words(words) => words.serialize(serializer),
-        }
     }
 }

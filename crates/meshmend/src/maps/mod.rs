@@ -16,11 +16,12 @@
 //! A corner is a place in the list of all corners, face after face. Of a file of parts, the arrays of part 3 are called
 //! `part3/vertices_new_to_old` and so on.
 
+mod array;
 mod cause;
 mod file;
 mod npy;
 
-use meshmend_core::{Blend, CornerId, Domain, Id, PolygonMesh, Provenance, VertexId};
+use meshmend_core::{Blend, CornerId, Id, PolygonMesh, Provenance, VertexId};
 use meshmend_repair::Repaired;
 
 pub use self::cause::{CAUSES, Cause};
@@ -96,16 +97,6 @@ impl ElementMaps {
         provenance.flipped.iter().for_each(|face| maps.flipped[face.index()] = true);
         maps.find_causes(stored, &repaired.removed_faces);
         maps
-    }
-
-    /// The map of the elements of a domain, if it is one of vertices, faces and corners.
-    pub fn of_domain(&self, domain: Domain) -> Option<&ElementMap> {
-        match domain {
-            Domain::Vertex => Some(&self.vertices),
-            Domain::Face => Some(&self.faces),
-            Domain::Corner => Some(&self.corners),
-            _ => None,
-        }
     }
 }
 

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 
-use super::file::{Array, Values};
+use super::array::{Array, Values};
 
 /// Headers end at a multiple of this.
 const ALIGNMENT: usize = 64;
