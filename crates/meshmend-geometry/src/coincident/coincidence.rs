@@ -114,16 +114,12 @@ impl Coincidence {
 /// For each vertex the lowest one at its position, by the lowest equal one of each place.
 fn lowest_sharing(shared: &SharedPlaces, lowest_place: &[VertexId]) -> Vec<VertexId> {
     // Places come in the order in which vertices first have them, so the lowest place has the lowest vertex.
-    let mut first = Vec::with_capacity(lowest_place.len());
-    let vertices = shared.of_vertex().iter().enumerate().map(|(vertex, place)| {
-        let (vertex, place) = (VertexId::new(vertex), place.index());
-        if place == first.len() {
-            first.push(vertex);
-        }
-        let point = &shared.points()[place];
-        if is_finite(point) { first[lowest_place[place].index()] } else { vertex }
-    });
-    vertices.collect()
+    let first = shared.first_vertices();
+    let lowest = |(vertex, place): (usize, &VertexId)| {
+        let is_finite = is_finite(&shared.points()[place.index()]);
+        if is_finite { first[lowest_place[place.index()].index()] } else { VertexId::new(vertex) }
+    };
+    shared.of_vertex().iter().enumerate().map(lowest).collect()
 }
 
 fn equal_in_single<E: Send>(

@@ -200,8 +200,9 @@ impl Places for Packed {
         goes_on: &dyn Fn() -> bool,
         mut visit: impl FnMut(u64, InCell, u32),
     ) {
-        let Some(parts) = self.parts(points, goes_on) else { return };
-        let Parts { starts, words, point_bits, rest_bits } = parts;
+        let Some(Parts { starts, words, point_bits, rest_bits }) = self.parts(points, goes_on) else {
+            return;
+        };
         for (part, bounds) in (0u64..).zip(starts.windows(2)) {
             for word in &words[bounds[0] as usize..bounds[1] as usize] {
                 let place = part << rest_bits | word >> point_bits;

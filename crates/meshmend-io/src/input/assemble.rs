@@ -3,6 +3,7 @@
 use meshmend_core::{
     FaceTableBuilder, Id, Layer, MeshError, Metadata, PolygonMesh, Role, SharedPlaces, VertexId, counted,
 };
+use meshmend_geometry::vector::is_finite;
 
 use crate::input::indices::MaxIndex;
 use crate::input::notes::Notes;
@@ -84,7 +85,7 @@ impl Parts {
 impl Parts {
     /// How many vertices have a position that is not finite.
     fn infinite(&self) -> u64 {
-        let is_infinite = |point: &[f64; 3]| !point.iter().all(|x| x.is_finite());
+        let is_infinite = |point: &[f64; 3]| !is_finite(point);
         let Some(places) = &self.places else {
             return self.positions.iter().filter(|point| is_infinite(point)).count() as u64;
         };

@@ -3,7 +3,7 @@
 use meshmend_core::{Cancelled, FaceId};
 use meshmend_geometry::vector::{Point, place_bits};
 
-use super::search::STEP;
+use super::STEP;
 use crate::boxes::{Bounds, BoxTree, Query};
 use crate::exact::are_collinear;
 use crate::meeting::Pair;

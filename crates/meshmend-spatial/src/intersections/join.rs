@@ -6,9 +6,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use meshmend_core::FaceId;
 use rayon::prelude::*;
 
+use super::STEP;
 use super::hits::{Hit, Met, Piece, hit};
 use super::run::Subject;
-use super::search::STEP;
 use crate::boxes::{FewBoxes, JoinPart, Leaf};
 
 /// How many leaves are remembered as the first of two, and as the second.

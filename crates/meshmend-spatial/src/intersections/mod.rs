@@ -13,3 +13,6 @@ mod search;
 pub use crossing_search::{CrossingSearch, do_cross};
 pub use report::{Budget, FacePair, Figures, IntersectionOptions, Intersections};
 pub use search::intersections;
+
+/// What the search is called to whoever watches.
+const STEP: &str = "crossings";

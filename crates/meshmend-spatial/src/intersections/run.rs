@@ -7,9 +7,9 @@ use std::sync::{Mutex, PoisonError};
 use meshmend_core::{Column, FaceId, Id};
 use petgraph::unionfind::UnionFind;
 
+use super::STEP;
 use super::hits::{Coplanar, Hit, Met, Piece, hit, one_for_two_faces};
 use super::report::{FacePair, Figures, Listed};
-use super::search::STEP;
 use crate::boxes::{Bounds, BoxTree, Query};
 use crate::meeting::{Contact, shown_point};
 use crate::surface::Surface;

@@ -6,6 +6,7 @@ use meshmend_core::{Cancelled, FaceId, Id};
 use petgraph::unionfind::UnionFind;
 use rayon::prelude::*;
 
+use super::STEP;
 use super::hits::one_for_two_faces;
 use super::join::joined;
 use super::report::{Figures, IntersectionOptions, Intersections};
@@ -13,8 +14,6 @@ use super::run::{Greatest, Run, Subject};
 use crate::boxes::{Bounds, BoxTree};
 use crate::surface::Surface;
 
-/// What the search is called to whoever watches.
-pub(super) const STEP: &str = "crossings";
 /// Faces of a run.
 const RUN: usize = 4096;
 /// Runs of a thread at a time: if the budget ends among them, those after are done in vain.

@@ -31,8 +31,8 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
             let first = 3 * face as u32;
             let corners = [12, 24, 36].map(|at| point(&facet[at..at + 12]));
             vertices.take(corners, 3 * count);
-            let [normal, corners] = [[point(&facet[..12]); 3], corners].map(|points| points.map(in_doubles));
-            recomputed.see(normal[0], corners, HEAD + face * FACET);
+            let normal = in_doubles(point(&facet[..12]));
+            recomputed.see(normal, corners.map(in_doubles), HEAD + face * FACET);
             parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
             attributes.see(face, little_endian(&facet[FACET - 2..]) as u16);
         }
