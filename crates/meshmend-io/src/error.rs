@@ -81,6 +81,9 @@ pub enum ReadErrorKind {
     /// Whoever watches the reading asked to stop.
     #[error("{0}")]
     Cancelled(#[from] Cancelled),
+    /// The file can't be read row by row, and that was asked for.
+    #[error("only binary PLY without strips and binary STL can be read piece by piece")]
+    NotInRows,
     /// The content breaks the rules of its format.
     #[error("{0}")]
     Malformed(String),
@@ -220,6 +223,10 @@ mod tests {
             (unread(b"hello", ReadOptions::default()), unknown.as_str()),
             (read(Path::new("."), &obj).unwrap_err().kind, "is a directory"),
             (unread(b"f 1\n", stopped), "cancelled"),
+            (
+                ReadErrorKind::NotInRows,
+                "only binary PLY without strips and binary STL can be read piece by piece",
+            ),
             (unread(b"f 1\n", obj.clone()), "vertex 1 does not exist: the file has 0 vertices"),
             (
                 unread(b"v 0 0 0\n", ReadOptions { limits: small, ..obj }),
@@ -228,7 +235,7 @@ mod tests {
         ];
         assert_every_variant!(
             cases,
-            ReadErrorKind { UnknownFormat, Io, Cancelled, Malformed, LimitExceeded }
+            ReadErrorKind { UnknownFormat, Io, Cancelled, NotInRows, Malformed, LimitExceeded }
         );
     }
 

@@ -57,6 +57,7 @@ pub use formats::gltf::base64::encode as base64;
 pub use formats::stl::colors::{ColorElements, decode_stl_colors};
 pub use input::options::ReadOptions;
 pub use input::read_file::ReadFile;
+pub use input::streamed::{Announced, MeshSink, Streamed};
 pub use limits::Limits;
 pub use loss::{Loss, LossKind, LostLayer};
 pub use note::{Note, NoteKind};
@@ -65,6 +66,8 @@ pub use output::held::held_layers;
 pub use output::options::{AttributePrecision, Companions, ManifoldExtension, Seams, WriteOptions};
 pub use output::prepared::Prepared;
 pub use output::rounding::rounding_losses;
-pub use read::{read, read_bytes, read_document, read_document_bytes, read_document_stream, read_stream};
+pub use read::{
+    read, read_bytes, read_document, read_document_bytes, read_document_stream, read_stream, stream,
+};
 pub use shell::Shell;
 pub use write::{encode, losses, write, write_document};

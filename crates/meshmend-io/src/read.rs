@@ -8,7 +8,9 @@ use crate::document::{Placing, TooMuchPlaced};
 use crate::formats::drivers::driver;
 use crate::formats::foreign;
 use crate::input::folder::Folder;
+use crate::input::notes::Notes;
 use crate::input::source::{Parsed, Source};
+use crate::input::streamed::{MeshSink, Rows, Streamed};
 use crate::limits::STREAM_BYTES;
 use crate::text::speculative_parse::Pace;
 use crate::watched::WatchedRead;
@@ -45,13 +47,9 @@ pub fn read_document(path: &Path, options: &ReadOptions) -> Result<Document, Rea
     if bytes.len() == HEAD && announced > HEAD {
         let told = Told::of(options.format, path, &bytes, announced as u64).map_err(failed)?;
         let head = Source {
-            bytes: &bytes,
-            length: announced,
-            name: &name,
-            pace: Pace::NONE,
             folder: folder.as_ref(),
             shared_places: options.shared_places,
-            watch: &options.watch,
+            ..Source::head(&bytes, announced, &name, &options.watch)
         };
         if let Some(parsed) = (driver(told.format).read_blocks)(&head, &mut file, &limits.within_a_mesh()) {
             return told.outcome(parsed);
@@ -107,6 +105,36 @@ pub fn read_document_stream(
     let from = WatchedRead::new(from, &options.watch, 0);
     let bytes = take_in(Vec::new(), from, 0, Most::of(0, &options.limits)).map_err(failed)?;
     read_document_bytes(&bytes, name, options)
+}
+
+/// Hands the vertices and faces of a file to a sink, in the order in which they stand there. Nothing of them is kept, so the file may
+/// be larger than memory: limits that are as wide as a mesh become as wide as numbers of 32 bits, and corners have none.
+///
+/// Binary PLY without triangle strips and binary STL can be read so.
+///
+/// # Errors
+/// As [`read`]; [`NotInRows`](ReadErrorKind::NotInRows) for any other file, and `Cancelled` if the sink wants no more.
+///
+/// *Cost*: time is linear in the size of the file; memory is that of a block, and of the edges that are elements of their own.
+pub fn stream(path: &Path, options: &ReadOptions, sink: &mut dyn MeshSink) -> Result<Streamed, ReadError> {
+    let (name, limits) = (path.display().to_string(), &options.limits.within_a_stream());
+    let failed = |kind| ReadError { file: name.clone(), place: Place::File, kind };
+    let (mut file, length) = open(path, limits).map_err(failed)?;
+    let mut bytes = Vec::with_capacity(HEAD.min(length));
+    file.by_ref().take(HEAD as u64).read_to_end(&mut bytes).map_err(|error| failed(error.into()))?;
+    let told = Told::of(options.format, path, &bytes, length as u64).map_err(failed)?;
+    // What does not tell its size can't be read twice either.
+    let head = Source::head(&bytes, length, &name, &options.watch);
+    let rows = if length < bytes.len() {
+        None
+    } else {
+        (driver(told.format).stream)(&head, &mut file, limits, sink)
+    };
+    let rows = rows.unwrap_or_else(|| Err(failed(ReadErrorKind::NotInRows)));
+    let Rows { encoding, mut notes, loose_edges } = rows.map_err(|error| told.told_of(error))?;
+    told.note(&mut notes);
+    let (format, notes) = (told.format, notes.into_list());
+    Ok(Streamed { format, variant: format.variant(encoding), notes, loose_edges })
 }
 
 /// How many bytes of a file are read before the reader of its format takes over.
@@ -183,21 +211,34 @@ impl Told {
 
     /// What a reader returns, with a remark if the name stands for another format.
     fn outcome(&self, parsed: Result<Parsed, ReadError>) -> Result<Document, ReadError> {
-        let Some(suffix) = &self.name_says else {
-            return parsed.map(|parsed| document_of(parsed, self.format));
-        };
-        let format = self.format;
-        let told = format!("the name ends in `{suffix}`, but the content is {format}");
         match parsed {
             Ok(mut parsed) => {
-                parsed.notes.add(NoteKind::WrongSuffix, &told, || Place::File);
-                Ok(document_of(parsed, format))
+                self.note(&mut parsed.notes);
+                Ok(document_of(parsed, self.format))
             }
-            Err(ReadError { file, place, kind: ReadErrorKind::Malformed(reason) }) => {
-                let kind = ReadErrorKind::Malformed(format!("{reason} ({told})"));
-                Err(ReadError { file, place, kind })
+            Err(error) => Err(self.told_of(error)),
+        }
+    }
+
+    /// What there is to say about a name that stands for another format.
+    fn remark(&self) -> Option<String> {
+        let suffix = self.name_says.as_ref()?;
+        Some(format!("the name ends in `{suffix}`, but the content is {}", self.format))
+    }
+
+    fn note(&self, notes: &mut Notes) {
+        if let Some(remark) = self.remark() {
+            notes.add(NoteKind::WrongSuffix, &remark, || Place::File);
+        }
+    }
+
+    /// The error of a reader with the remark, if the content is to blame.
+    fn told_of(&self, error: ReadError) -> ReadError {
+        match (error, self.remark()) {
+            (ReadError { file, place, kind: ReadErrorKind::Malformed(reason) }, Some(remark)) => {
+                ReadError { file, place, kind: ReadErrorKind::Malformed(format!("{reason} ({remark})")) }
             }
-            Err(error) => Err(error),
+            (error, _) => error,
         }
     }
 }

@@ -61,12 +61,7 @@ impl Parts {
             let number = u64::from(index) + first;
             return Err(source.malformed(place(at), no_such_vertex(number as i64, count)));
         }
-        let infinite = self.infinite();
-        let message = "vertices whose position is not finite";
-        self.notes.add_many(NoteKind::NonFinite, message, infinite, || Place::File);
-        if count == 0 {
-            self.notes.add(NoteKind::Empty, "the file holds no vertex", || Place::File);
-        }
+        VertexNotes { vertices: count as u64, infinite: self.infinite() }.note(&mut self.notes);
         // The limits of readers are those of a mesh, so all of this fits.
         let faces = self.faces.build(count).map_err(|e| source.malformed(Place::File, e.to_string()))?;
         let failed = |error: MeshError| source.malformed(Place::File, error.to_string());
@@ -94,6 +89,30 @@ impl Parts {
         }
         let point = |place: &&VertexId| is_infinite(&places.points()[place.index()]);
         places.of_vertex().iter().filter(point).count() as u64
+    }
+}
+
+/// What there is to say about the vertices of a file.
+#[derive(Default)]
+pub(crate) struct VertexNotes {
+    vertices: u64,
+    infinite: u64,
+}
+
+impl VertexNotes {
+    /// Takes in the next vertices.
+    #[inline]
+    pub(crate) fn see(&mut self, positions: &[[f64; 3]]) {
+        self.vertices += positions.len() as u64;
+        self.infinite += positions.iter().filter(|point| !is_finite(point)).count() as u64;
+    }
+
+    pub(crate) fn note(&self, notes: &mut Notes) {
+        let message = "vertices whose position is not finite";
+        notes.add_many(NoteKind::NonFinite, message, self.infinite, || Place::File);
+        if self.vertices == 0 {
+            notes.add(NoteKind::Empty, "the file holds no vertex", || Place::File);
+        }
     }
 }
 

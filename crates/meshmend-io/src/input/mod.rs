@@ -7,3 +7,4 @@ pub(crate) mod notes;
 pub(crate) mod options;
 pub(crate) mod read_file;
 pub(crate) mod source;
+pub(crate) mod streamed;

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use meshmend_core::{PolygonMesh, Watch};
+use meshmend_core::{Cancelled, PolygonMesh, Watch};
 
 use crate::document::{Part, PartSource, PartStatus};
 use crate::input::folder::Folder;
@@ -26,6 +26,13 @@ pub(crate) struct Source<'a> {
     pub(crate) shared_places: bool,
     /// Who watches the reading.
     pub(crate) watch: &'a Watch,
+}
+
+impl<'a> Source<'a> {
+    /// A file of which only the start is in memory.
+    pub(crate) fn head(bytes: &'a [u8], length: usize, name: &'a str, watch: &'a Watch) -> Self {
+        Source { bytes, length, name, pace: Pace::NONE, folder: None, shared_places: false, watch }
+    }
 }
 
 impl Source<'_> {
@@ -56,12 +63,13 @@ impl Source<'_> {
     /// # Errors
     /// If whoever watches wants no more.
     pub(crate) fn look(&self, at: usize) -> Result<(), ReadError> {
-        let stopped = |stopped| ReadError {
-            file: self.name.to_owned(),
-            place: Place::File,
-            kind: ReadErrorKind::Cancelled(stopped),
-        };
-        self.watch.look(READ, at, self.length).map_err(stopped)
+        self.watch.look(READ, at, self.length).map_err(|stopped| self.cancelled(stopped))
+    }
+
+    /// The error of reading that somebody stopped.
+    #[cold]
+    pub(crate) fn cancelled(&self, stopped: Cancelled) -> ReadError {
+        ReadError { file: self.name.to_owned(), place: Place::File, kind: ReadErrorKind::Cancelled(stopped) }
     }
 
     /// The line of a byte.

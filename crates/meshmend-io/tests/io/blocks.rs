@@ -7,7 +7,7 @@ use meshmend_core::{Carry, Domain, FaceTable, Layer, Metadata, PolygonMesh, Valu
 use meshmend_io::{Encoding, Format, ReadError, ReadFile, ReadOptions, read, read_bytes};
 
 /// More triangles and quads than a few blocks hold, with attributes.
-fn large() -> PolygonMesh {
+pub(crate) fn large() -> PolygonMesh {
     let vertices = 40_000_u32;
     let positions = (0..vertices).map(|v| [v, v * 7 % 1013, v * v % 4099].map(f64::from)).collect();
     let corners = (0..vertices - 3).flat_map(|v| (v..v + 3 + u32::from(v % 5 == 0)).map(VertexId));

@@ -22,4 +22,5 @@ mod ply_rows;
 mod stl;
 mod stl_data;
 mod stl_polygons;
+mod streamed;
 mod threemf;

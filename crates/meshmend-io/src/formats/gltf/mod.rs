@@ -30,6 +30,7 @@ use crate::formats::driver::Driver;
 pub(crate) static DRIVER: Driver = Driver {
     read: read::read,
     read_blocks: read::read_blocks,
+    stream: Driver::streams_nothing,
     look_beside: Driver::names_no_files,
     prepare: fresh::prepare,
     encode: fresh::encode_gltf,

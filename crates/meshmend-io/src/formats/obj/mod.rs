@@ -41,6 +41,7 @@ use crate::formats::driver::Driver;
 pub(crate) static DRIVER: Driver = Driver {
     read: read::read,
     read_blocks: Driver::needs_whole_file,
+    stream: Driver::streams_nothing,
     look_beside: shape::look_beside,
     prepare: write::prepare,
     encode: write::encode,

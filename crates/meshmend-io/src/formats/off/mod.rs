@@ -39,6 +39,7 @@ use crate::formats::driver::Driver;
 pub(crate) static DRIVER: Driver = Driver {
     read: read::read,
     read_blocks: Driver::needs_whole_file,
+    stream: Driver::streams_nothing,
     look_beside: Driver::names_no_files,
     prepare: write::prepare,
     encode: write::encode,

@@ -118,7 +118,7 @@ impl<const BIG: bool> Data for BinaryValues<'_, BIG> {
     fn fixed_rows(
         &mut self,
         element: &Element,
-        mut each: impl FnMut(FixedRows<'_>),
+        mut each: impl FnMut(FixedRows<'_>) -> Result<(), ReadError>,
     ) -> Result<bool, ReadError> {
         if element.properties.iter().any(|property| property.length.is_some()) {
             return Ok(false);
@@ -130,7 +130,7 @@ impl<const BIG: bool> Data for BinaryValues<'_, BIG> {
             let source = self.source;
             let bytes = self.blocks.take_rows(stride, left).map_err(|error| source.failed(error))?;
             left -= bytes.len() / stride;
-            each(FixedRows { bytes, stride, in_all: element.count as usize, is_big_endian: BIG });
+            each(FixedRows { bytes, stride, in_all: element.count as usize, is_big_endian: BIG })?;
         }
         Ok(true)
     }

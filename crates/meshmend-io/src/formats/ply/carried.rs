@@ -16,6 +16,7 @@ pub(super) fn of_rows(element: &Element, data: &mut impl Data) -> Result<Columns
     let offsets: Vec<usize> = offsets.collect();
     let is_read = data.fixed_rows(element, |rows| {
         columns.values.iter_mut().zip(&offsets).for_each(|(values, &at)| rows.extend(values, at));
+        Ok(())
     })?;
     if !is_read {
         data.each_row(element, None, &mut CarriedRowReader { element, columns: &mut columns })?;
@@ -25,7 +26,7 @@ pub(super) fn of_rows(element: &Element, data: &mut impl Data) -> Result<Columns
 
 /// Skips the rows of an element.
 pub(super) fn skip(element: &Element, data: &mut impl Data) -> Result<(), ReadError> {
-    if element.properties.is_empty() || data.fixed_rows(element, |_| ())? {
+    if element.properties.is_empty() || data.fixed_rows(element, |_| Ok(()))? {
         return Ok(());
     }
     data.each_row(element, None, &mut RowSkipper(element))

@@ -37,7 +37,11 @@ pub(super) trait Data {
 
     /// Hands out the rows of an element, block by block, if all rows have the same size in bytes. Returns whether
     /// they have.
-    fn fixed_rows(&mut self, element: &Element, each: impl FnMut(FixedRows<'_>)) -> Result<bool, ReadError>;
+    fn fixed_rows(
+        &mut self,
+        element: &Element,
+        each: impl FnMut(FixedRows<'_>) -> Result<(), ReadError>,
+    ) -> Result<bool, ReadError>;
 
     /// Lets a reader read the rows of an element. Usual rows may be parsed ahead of it.
     #[inline]

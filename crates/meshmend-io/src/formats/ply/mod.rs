@@ -41,6 +41,7 @@ mod read;
 mod rows;
 mod scalar;
 mod shape;
+mod stream;
 mod strips;
 mod text_values;
 mod types;
@@ -52,6 +53,7 @@ use crate::formats::driver::Driver;
 pub(crate) static DRIVER: Driver = Driver {
     read: read::read,
     read_blocks: read::read_blocks,
+    stream: stream::stream,
     look_beside: Driver::names_no_files,
     prepare: prepare::prepare,
     encode: write::encode,

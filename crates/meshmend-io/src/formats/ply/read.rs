@@ -14,6 +14,7 @@ use crate::formats::ply::strips::{Stitches, StripReader};
 use crate::formats::ply::text_values::TextValues;
 use crate::formats::ply::usual_rows::ParsedRows;
 use crate::input::assemble::Parts;
+use crate::input::notes::Notes;
 use crate::input::source::{Parsed, Source};
 use crate::{Encoding, Format, Limits, NoteKind, Place, ReadError, Shell};
 
@@ -79,14 +80,7 @@ fn read_body(
         data.end_element(element)?;
     }
     let odd_rows = data.end_file()?;
-    let (surplus, at) = data.surplus();
-    let place = || place_of(source, header.form, at);
-    reader.parts.notes.add_many(
-        NoteKind::SurplusData,
-        "bytes after the data were skipped",
-        surplus as u64,
-        place,
-    );
+    note_surplus(&mut reader.parts.notes, data.surplus(), |at| place_of(source, header.form, at));
     if let Some((first, count)) = odd_rows {
         let message = "rows that do not stand on a line each were read across lines";
         let place = || place_of(source, header.form, first);
@@ -123,37 +117,28 @@ impl<'a> Reader<'a> {
             "face" => self.faces(element, data),
             "tristrips" => self.strips(element, data),
             "edge" => self.edges(element, data),
-            name => {
-                let message = format!("element `{name}` is not understood: only a PLY output carries it");
-                self.table(&message, element, data)
+            _ => {
+                note_unknown(&mut self.parts.notes, self.source, element);
+                self.table(element, data)
             }
         }
     }
 
     /// Keeps the rows of an element that is carried unchanged.
-    fn table(&mut self, message: &str, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
-        self.note_skipped(message, element.count, element);
+    fn table(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
         self.tables.push((self.element, of_rows(element, data)?));
         Ok(())
     }
 
     fn note_skipped(&mut self, message: &str, count: u64, element: &Element) {
-        let (source, at) = (self.source, element.at);
-        self.parts.notes.add_many(NoteKind::SkippedElement, message, count, || source.line(at));
+        note_skipped(&mut self.parts.notes, self.source, (message, count), element);
     }
 
     fn vertices(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
         self.source.limited("vertices", element.count, self.limits.max_vertices)?;
-        let axis = |name: &str| {
-            let is_axis = |property: &header::Property| property.name == name && property.length.is_none();
-            let missing = || self.missing(element, &format!("vertices without a number `{name}`"));
-            element.properties.iter().position(is_axis).ok_or_else(missing)
-        };
-        let axes = [axis("x")?, axis("y")?, axis("z")?];
+        let axes = axes(self.source, element)?;
         let mut columns = Columns::new(element);
-        let sizes = element.properties.iter().map(|property| property.item.size());
-        let offsets: Vec<usize> =
-            sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size))).collect();
+        let offsets = offsets(element);
         let others = (0..element.properties.len()).filter(|column| !axes.contains(column));
         let of_axes = axes.map(|column| (element.properties[column].item, offsets[column]));
         let positions = &mut self.parts.positions;
@@ -162,6 +147,7 @@ impl<'a> Reader<'a> {
             for column in others.clone() {
                 rows.extend(&mut columns.values[column], offsets[column]);
             }
+            Ok(())
         })?;
         if !is_read {
             let mut reader = VertexRowReader { element, axes, columns: &mut columns, positions };
@@ -178,7 +164,8 @@ impl<'a> Reader<'a> {
             if element.count == 0 {
                 return Ok(());
             }
-            return Err(self.missing(element, "faces without a list `vertex_indices` or `vertex_index`"));
+            let reason = "faces without a list `vertex_indices` or `vertex_index`";
+            return Err(missing(self.source, element, reason));
         };
         let mut columns = Columns::new(element);
         if let Some(left) = data.left() {
@@ -219,22 +206,16 @@ impl<'a> Reader<'a> {
     }
 
     fn edges(&mut self, element: &'a Element, data: &mut impl Data) -> Result<(), ReadError> {
-        let end = |name: &str| element.properties.iter().position(|p| p.name == name && p.length.is_none());
-        let (Some(one), Some(other)) = (end("vertex1"), end("vertex2")) else {
-            let message = "element `edge` has no `vertex1` and `vertex2`: only a PLY output carries it";
-            return self.table(message, element, data);
+        let Some(ends) = edge_ends(element) else {
+            note_edges_without_ends(&mut self.parts.notes, self.source, element);
+            return self.table(element, data);
         };
         let mut columns = Columns::new(element);
-        let mut reader =
-            EdgeRowReader { element, ends: [one, other], columns: &mut columns, parts: &mut self.parts };
+        let mut reader = EdgeRowReader { element, ends, columns: &mut columns, parts: &mut self.parts };
         data.each_row(element, None, &mut reader)?;
-        let is_taken = (0..element.properties.len()).map(|column| [one, other].contains(&column)).collect();
+        let is_taken = (0..element.properties.len()).map(|column| ends.contains(&column)).collect();
         self.edges = Some(ElementRows { element, columns, is_taken, first: 0, corner_starts: Vec::new() });
         Ok(())
-    }
-
-    fn missing(&self, element: &Element, reason: &str) -> ReadError {
-        self.source.malformed(self.source.line(element.at), reason)
     }
 
     fn finish(mut self, header: &Header) -> Result<Parsed, ReadError> {
@@ -260,8 +241,62 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// Notes rows of an element that no mesh holds.
+fn note_skipped(notes: &mut Notes, source: &Source<'_>, (message, count): (&str, u64), element: &Element) {
+    notes.add_many(NoteKind::SkippedElement, message, count, || source.line(element.at));
+}
+
+/// Notes an element of unknown meaning.
+pub(super) fn note_unknown(notes: &mut Notes, source: &Source<'_>, element: &Element) {
+    let message = format!("element `{}` is not understood: only a PLY output carries it", element.name);
+    note_skipped(notes, source, (&message, element.count), element);
+}
+
+/// Notes edges that don't say what they join.
+pub(super) fn note_edges_without_ends(notes: &mut Notes, source: &Source<'_>, element: &Element) {
+    let message = "element `edge` has no `vertex1` and `vertex2`: only a PLY output carries it";
+    note_skipped(notes, source, (message, element.count), element);
+}
+
+/// Notes what is left behind the last row: so many bytes from a place on.
+pub(super) fn note_surplus(
+    notes: &mut Notes,
+    (surplus, at): (usize, usize),
+    place: impl FnOnce(usize) -> Place,
+) {
+    let message = "bytes after the data were skipped";
+    notes.add_many(NoteKind::SurplusData, message, surplus as u64, || place(at));
+}
+
+/// The error of an element that lacks what it needs.
+pub(super) fn missing(source: &Source<'_>, element: &Element, reason: &str) -> ReadError {
+    source.malformed(source.line(element.at), reason)
+}
+
+/// The places of the coordinates among the properties of vertices.
+pub(super) fn axes(source: &Source<'_>, element: &Element) -> Result<[usize; 3], ReadError> {
+    let axis = |name: &str| {
+        let is_axis = |property: &header::Property| property.name == name && property.length.is_none();
+        let missing = || missing(source, element, &format!("vertices without a number `{name}`"));
+        element.properties.iter().position(is_axis).ok_or_else(missing)
+    };
+    Ok([axis("x")?, axis("y")?, axis("z")?])
+}
+
+/// Where each property begins in a row of bytes, if none is a list.
+pub(super) fn offsets(element: &Element) -> Vec<usize> {
+    let sizes = element.properties.iter().map(|property| property.item.size());
+    sizes.scan(0, |end, size| Some(std::mem::replace(end, *end + size))).collect()
+}
+
+/// The places of the ends among the properties of edges.
+pub(super) fn edge_ends(element: &Element) -> Option<[usize; 2]> {
+    let end = |name: &str| element.properties.iter().position(|p| p.name == name && p.length.is_none());
+    Some([end("vertex1")?, end("vertex2")?])
+}
+
 /// The list of vertex indices among an element's properties.
-fn index_list(element: &Element) -> Option<usize> {
+pub(super) fn index_list(element: &Element) -> Option<usize> {
     let is_named = |p: &header::Property| p.name == "vertex_indices" || p.name == "vertex_index";
     element.properties.iter().position(|property| is_named(property) && property.length.is_some())
 }

@@ -1,12 +1,13 @@
 //! The rows of vertices, faces and edges, one by one or many at a time if they are usual.
 
-use meshmend_core::{Id, VertexId};
+use meshmend_core::VertexId;
 
 use crate::formats::ply::columns::Columns;
 use crate::formats::ply::data::{Data, RowReader};
 use crate::formats::ply::header::{Element, Property};
 use crate::formats::ply::usual_rows::ParsedRows;
 use crate::input::assemble::Parts;
+use crate::input::indices::MaxIndex;
 use crate::input::source::Source;
 use crate::{Limits, ReadError};
 
@@ -96,7 +97,7 @@ impl RowReader for EdgeRowReader<'_> {
         let mut ends = [VertexId(0); 2];
         for (column, property) in self.element.properties.iter().enumerate() {
             match self.ends.iter().position(|&end| end == column) {
-                Some(place) => ends[place] = self.end(property, data)?,
+                Some(place) => ends[place] = self.parts.max_index.read(property, data)?,
                 None => self.columns.read(self.element, column, data)?,
             }
         }
@@ -105,17 +106,22 @@ impl RowReader for EdgeRowReader<'_> {
     }
 }
 
-impl EdgeRowReader<'_> {
-    fn end(&mut self, property: &Property, data: &mut impl Data) -> Result<VertexId, ReadError> {
+impl MaxIndex {
+    /// The next value, which is the index of a vertex.
+    pub(super) fn read(&mut self, property: &Property, data: &mut impl Data) -> Result<VertexId, ReadError> {
         let mut found = (0, 0);
         data.indices(property.item, 1, |index, at| found = (index, at))?;
         let (index, at) = found;
-        let index = u32::try_from(index);
-        let index =
-            index.map_err(|_| data.wrong(at, &format!("{} is not the index of a vertex", found.0)))?;
-        self.parts.max_index.see(index, at);
-        Ok(VertexId::new(index as usize))
+        let known = u32::try_from(index).map_err(|_| no_index(data, index, at))?;
+        self.see(known, at);
+        Ok(VertexId(known))
     }
+}
+
+/// The error of a number that is the index of no vertex.
+#[cold]
+pub(super) fn no_index(data: &impl Data, index: i64, at: usize) -> ReadError {
+    data.wrong(at, &format!("{index} is not the index of a vertex"))
 }
 
 impl FaceRowReader<'_, '_> {
@@ -135,9 +141,6 @@ impl FaceRowReader<'_, '_> {
             Err(_) => wrong = wrong.or(Some((index, at))),
         })?;
         faces.end_face();
-        match wrong {
-            None => Ok(()),
-            Some((index, at)) => Err(data.wrong(at, &format!("{index} is not the index of a vertex"))),
-        }
+        wrong.map_or(Ok(()), |(index, at)| Err(no_index(data, index, at)))
     }
 }

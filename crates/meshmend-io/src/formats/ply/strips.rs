@@ -11,6 +11,7 @@ use crate::ReadError;
 use crate::formats::ply::columns::skip_property;
 use crate::formats::ply::data::{Data, RowReader};
 use crate::formats::ply::header::{Element, Property};
+use crate::formats::ply::rows::no_index;
 use crate::input::assemble::Parts;
 use crate::input::source::Source;
 
@@ -74,10 +75,7 @@ impl StripReader<'_, '_> {
         let (faces, corners) = (faces.face_count() as u64, faces.corner_count() as u64);
         self.source.limited("faces", faces, self.limits.max_faces)?;
         self.source.limited("corners", corners, self.limits.max_corners)?;
-        match wrong {
-            None => Ok(()),
-            Some((index, at)) => Err(data.wrong(at, &format!("{index} is not the index of a vertex"))),
-        }
+        wrong.map_or(Ok(()), |(index, at)| Err(no_index(data, index, at)))
     }
 }
 

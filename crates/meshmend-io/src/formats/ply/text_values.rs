@@ -171,7 +171,11 @@ impl Data for TextValues<'_> {
         Ok(())
     }
 
-    fn fixed_rows(&mut self, _: &Element, _: impl FnMut(FixedRows<'_>)) -> Result<bool, ReadError> {
+    fn fixed_rows(
+        &mut self,
+        _: &Element,
+        _: impl FnMut(FixedRows<'_>) -> Result<(), ReadError>,
+    ) -> Result<bool, ReadError> {
         Ok(false)
     }
 

@@ -62,19 +62,37 @@ fn in_bytes(part: u16) -> u8 {
     ((part * 255 + 15) / 31) as u8
 }
 
-/// Notes attributes that are colours, or may be colours.
-pub(super) fn note(header: &[u8], attributes: &[u16], notes: &mut Notes) {
-    let (message, count) = match Convention::of(header) {
-        Convention::Magics(_) => (
-            "attribute bytes that are colours, as the header says in the way of Materialise Magics",
-            attributes.len(),
-        ),
-        Convention::VisCam => (
-            "attribute bytes that are colours perhaps, in the way of VisCAM",
-            attributes.iter().filter(|&&attribute| attribute & OWN_OR_NOT != 0).count(),
-        ),
-    };
-    notes.add_many(NoteKind::PerhapsColors, message, count as u64, || Place::File);
+/// How many facets may be coloured.
+#[derive(Default)]
+pub(super) struct Colored {
+    /// The facets up to the last one whose attribute is not 0.
+    up_to_last: u64,
+    /// Those with the bit that says whether they have a colour of their own.
+    with_bit: u64,
+}
+
+impl Colored {
+    #[inline]
+    pub(super) fn see(&mut self, face: usize, attribute: u16) {
+        if attribute != 0 {
+            self.up_to_last = face as u64 + 1;
+            self.with_bit += u64::from(attribute & OWN_OR_NOT != 0);
+        }
+    }
+
+    /// Notes attributes that are colours, or may be colours.
+    pub(super) fn note(&self, header: &[u8], notes: &mut Notes) {
+        let (message, count) = match Convention::of(header) {
+            Convention::Magics(_) => (
+                "attribute bytes that are colours, as the header says in the way of Materialise Magics",
+                self.up_to_last,
+            ),
+            Convention::VisCam => {
+                ("attribute bytes that are colours perhaps, in the way of VisCAM", self.with_bit)
+            }
+        };
+        notes.add_many(NoteKind::PerhapsColors, message, count, || Place::File);
+    }
 }
 
 /// A mesh in which the attribute bytes of facets, as binary STL has them, have become colours. A mesh without such

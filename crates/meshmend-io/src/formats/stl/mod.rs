@@ -36,6 +36,7 @@ use crate::formats::driver::Driver;
 pub(crate) static DRIVER: Driver = Driver {
     read: read::read,
     read_blocks: read::read_blocks,
+    stream: read::stream,
     look_beside: Driver::names_no_files,
     prepare: prepare::prepare,
     encode: write::encode,

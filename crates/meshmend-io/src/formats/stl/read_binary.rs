@@ -6,51 +6,35 @@ use meshmend_geometry::coincident::SharedFinder;
 use std::io::Read;
 
 use crate::binary::block_reader::BlockReader;
-use crate::formats::stl::colors;
+use crate::formats::stl::colors::Colored;
 use crate::formats::stl::form::{ATTRIBUTE, FACET, HEAD, HEADER, claimed_length, little_endian};
 use crate::formats::stl::normals::Recomputed;
-use crate::input::assemble::Parts;
+use crate::input::assemble::{Parts, VertexNotes};
+use crate::input::notes::Notes;
 use crate::input::source::{Parsed, Source};
+use crate::input::streamed::{Announced, MeshSink, Rows};
 use crate::shell::NoChoices;
 use crate::text::one_or_many;
 use crate::{Encoding, Format, Limits, NoteKind, Place, ReadError, Shell};
 
 pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) -> Result<Parsed, ReadError> {
-    let count = checked_count(source)?;
-    source.limited("faces", count as u64, limits.max_faces)?;
-    source.limited("vertices", 3 * count as u64, limits.max_vertices.min(limits.max_corners))?;
-    let mut facets = BlockReader::new(source, HEAD, rest);
+    let count = checked_count(source, limits)?;
     let (mut parts, mut attributes) = (Parts::default(), Attributes::default());
-    let mut recomputed = Recomputed::default();
     let mut vertices = Vertices::of(source.shared_places, 3 * count);
     parts.faces.reserve(3 * count);
-    let mut read = 0;
-    while read < count {
-        let block = facets.take_rows(FACET, count - read).map_err(|error| source.failed(error))?;
-        for (facet, face) in block.chunks_exact(FACET).zip(read..) {
-            let first = 3 * face as u32;
-            let corners = [12, 24, 36].map(|at| point(&facet[at..at + 12]));
-            vertices.take(corners, 3 * count);
-            let normal = in_doubles(point(&facet[..12]));
-            recomputed.see(normal, corners.map(in_doubles), HEAD + face * FACET);
-            parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
-            attributes.see(face, little_endian(&facet[FACET - 2..]) as u16);
-        }
-        read += block.len() / FACET;
-    }
+    parts.notes = each_facet(source, rest, count, |face, corners, attribute| {
+        let first = 3 * face as u32;
+        vertices.take(corners, 3 * count);
+        parts.faces.push_face([first, first + 1, first + 2].map(VertexId));
+        attributes.see(face, attribute);
+        Ok(())
+    })?;
     match vertices {
         Vertices::Each(positions) => parts.positions = positions,
         Vertices::Shared(finder) => parts.places = Some(finder.finish()),
     }
-    let header = &source.bytes[..HEAD - 4];
-    if !attributes.0.is_empty() {
-        colors::note(header, &attributes.0, &mut parts.notes);
-    }
     parts.layers.extend(attributes.layer(count));
-    recomputed.note(&mut parts.notes, |at| Place::Byte(at as u64));
-    let message = "bytes after the last facet were skipped";
-    let (surplus, end) = (facets.left() as u64, facets.at() as u64);
-    parts.notes.add_many(NoteKind::SurplusData, message, surplus, || Place::Byte(end));
+    let header = &source.bytes[..HEAD - 4];
     let length = header.iter().rposition(|&b| b != 0).map_or(0, |last| last + 1);
     if length > 0 {
         parts.metadata.push(Metadata { key: HEADER.to_owned(), value: header[..length].to_vec() });
@@ -60,8 +44,62 @@ pub(super) fn read(source: &Source<'_>, rest: &mut dyn Read, limits: &Limits) ->
     Ok(Parsed::whole(mesh, notes, shell))
 }
 
-/// The number of facets, or an error if the length of the file does not fit it.
-fn checked_count(source: &Source<'_>) -> Result<usize, ReadError> {
+/// Hands over the facets of a file without keeping any.
+pub(super) fn stream(
+    source: &Source<'_>,
+    rest: &mut dyn Read,
+    limits: &Limits,
+    sink: &mut dyn MeshSink,
+) -> Result<Rows, ReadError> {
+    let count = checked_count(source, limits)?;
+    let cancelled = |stopped| source.cancelled(stopped);
+    let (faces, vertices) = (count as u64, 3 * count as u64);
+    sink.begin(&Announced { vertices, faces, corners: vertices, is_single: true }).map_err(cancelled)?;
+    let mut counted = VertexNotes::default();
+    let mut notes = each_facet(source, rest, count, |face, corners, _| {
+        let first = 3 * face as u32;
+        let positions = corners.map(in_doubles);
+        counted.see(&positions);
+        sink.vertices(&positions).map_err(cancelled)?;
+        sink.face(&[first, first + 1, first + 2].map(VertexId)).map_err(cancelled)
+    })?;
+    counted.note(&mut notes);
+    Ok(Rows { encoding: Encoding::LittleEndian, notes, loose_edges: Vec::new() })
+}
+
+/// Hands over each facet: its number, corners and attribute. Returns what there is to say about the file.
+fn each_facet(
+    source: &Source<'_>,
+    rest: &mut dyn Read,
+    count: usize,
+    mut take: impl FnMut(usize, [[f32; 3]; 3], u16) -> Result<(), ReadError>,
+) -> Result<Notes, ReadError> {
+    let mut facets = BlockReader::new(source, HEAD, rest);
+    let (mut recomputed, mut colored) = (Recomputed::default(), Colored::default());
+    let mut read = 0;
+    while read < count {
+        let block = facets.take_rows(FACET, count - read).map_err(|error| source.failed(error))?;
+        for (facet, face) in block.chunks_exact(FACET).zip(read..) {
+            let corners = [12, 24, 36].map(|at| point(&facet[at..at + 12]));
+            let normal = in_doubles(point(&facet[..12]));
+            recomputed.see(normal, corners.map(in_doubles), HEAD + face * FACET);
+            let attribute = little_endian(&facet[FACET - 2..]) as u16;
+            colored.see(face, attribute);
+            take(face, corners, attribute)?;
+        }
+        read += block.len() / FACET;
+    }
+    let mut notes = Notes::default();
+    colored.note(&source.bytes[..HEAD - 4], &mut notes);
+    recomputed.note(&mut notes, |at| Place::Byte(at as u64));
+    let message = "bytes after the last facet were skipped";
+    let (surplus, end) = (facets.left() as u64, facets.at() as u64);
+    notes.add_many(NoteKind::SurplusData, message, surplus, || Place::Byte(end));
+    Ok(notes)
+}
+
+/// The number of facets, or an error if the length of the file does not fit it, or it is beyond a limit.
+fn checked_count(source: &Source<'_>, limits: &Limits) -> Result<usize, ReadError> {
     let end = Place::Byte(source.length as u64);
     let Some(claimed) = claimed_length(source.bytes) else {
         return Err(source.malformed(end, "shorter than the header of a binary file"));
@@ -77,6 +115,8 @@ fn checked_count(source: &Source<'_>) -> Result<usize, ReadError> {
         let there = one_or_many(room, "is", "are");
         return Err(source.malformed(place, format!("{announced} announced, but {there} there")));
     }
+    source.limited("faces", count as u64, limits.max_faces)?;
+    source.limited("vertices", 3 * count as u64, limits.max_vertices.min(limits.max_corners))?;
     Ok(count)
 }
 

@@ -38,6 +38,7 @@ use crate::output::triangles::cut_polygons;
 pub(crate) static DRIVER: Driver = Driver {
     read: read::read,
     read_blocks: Driver::needs_whole_file,
+    stream: Driver::streams_nothing,
     look_beside: Driver::names_no_files,
     prepare: cut_polygons,
     encode: fresh::encode,

@@ -19,6 +19,7 @@ use crate::{Encoding, Format, Limits, Loss, Prepared, Shell, WriteErrorKind};
 pub(crate) static DRIVER: Driver = Driver {
     read,
     read_blocks: Driver::needs_whole_file,
+    stream: Driver::streams_nothing,
     look_beside: Driver::names_no_files,
     prepare: |_| Ok(()),
     encode,
