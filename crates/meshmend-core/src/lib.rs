@@ -51,7 +51,7 @@ pub use defects::{
 pub use edges::{EdgeSide, EdgeTable};
 pub use faces::{
     Complex, FaceIndex, FaceTable, FaceTableBuilder, FaceTableError, MAX_CORNERS, canonical_rotation,
-    distinct_count,
+    distinct_count, normalised,
 };
 pub use ids::{CornerId, EdgeId, FaceId, Id, VertexId};
 pub use kernel::{

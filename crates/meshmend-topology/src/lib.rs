@@ -35,12 +35,12 @@ mod shapes;
 
 pub use defects::DefectList;
 pub use faces::{
-    AlikeFace, DuplicateFace, Likeness, alike_faces, duplicate_faces, faces_with_repeated_corners,
-    non_simple_faces,
+    AlikeFace, DuplicateFace, FaceShapes, Likeness, alike_faces, duplicate_faces,
+    faces_with_repeated_corners, non_simple_faces, repeats,
 };
 pub use homology::{
-    Betti, ELIMINATION_BUDGET, Effect, Incremental, Instigators, REDUCTION_BUDGET, Step, betti, betti_within,
-    incremental, incremental_within, instigators,
+    Betti, ELIMINATION_BUDGET, Effect, Incremental, Instigators, PatchEnds, PatchUse, REDUCTION_BUDGET, Step,
+    TwoCycles, betti, betti_of, betti_within, incremental, incremental_within, instigators,
 };
 pub use ids::{ComponentId, PatchId};
 pub use loops::{
@@ -52,7 +52,7 @@ pub use orientation::{
     one_sided_loops, one_sided_loops_by_length, orientability, patches, seams, seams_by_length, short_seam,
 };
 pub use report::{
-    DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness, topology,
+    DuplicateCounts, Figures, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness, topology,
     topology_watched,
 };
 pub use surfaces::{

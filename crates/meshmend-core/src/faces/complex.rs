@@ -130,6 +130,32 @@ fn is_normal(vertices: &[VertexId]) -> bool {
     }
 }
 
+/// Puts a face in normal form: consecutive repeats are dropped. Returns whether it is a face of a complex; a degenerate one is left
+/// empty.
+///
+/// ```
+/// # use meshmend_core::{VertexId, normalised};
+/// let mut normal = Vec::new();
+/// assert!(normalised(&[1, 1, 2, 3, 1].map(VertexId), &mut normal));
+/// assert_eq!(normal, [1, 2, 3].map(VertexId));
+/// assert!(!normalised(&[1, 2, 1, 2].map(VertexId), &mut normal) && normal.is_empty());
+/// ```
+///
+/// *Cost*: linear.
+pub fn normalised(face: &[VertexId], normal: &mut Vec<VertexId>) -> bool {
+    normal.clear();
+    if is_normal(face) {
+        normal.extend_from_slice(face);
+        return true;
+    }
+    let mut kept = Vec::new();
+    normal_form(face, &mut kept);
+    let vertices = kept.iter().map(|&place| face[place]);
+    let is_proper = has_three_different(vertices.clone());
+    normal.extend(vertices.filter(|_| is_proper));
+    is_proper
+}
+
 /// The places that stay when consecutive repeats are dropped; the earlier corner stays.
 fn normal_form(vertices: &[VertexId], kept: &mut Vec<usize>) {
     kept.clear();

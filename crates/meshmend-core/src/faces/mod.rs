@@ -7,7 +7,7 @@ mod face_index;
 mod face_table;
 mod face_table_builder;
 
-pub use complex::Complex;
+pub use complex::{Complex, normalised};
 pub use cycles::{canonical_rotation, distinct_count};
 pub use error::{FaceTableError, MAX_CORNERS};
 pub use face_index::FaceIndex;

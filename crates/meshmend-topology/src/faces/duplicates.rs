@@ -47,8 +47,7 @@ pub struct DuplicateFace {
 /// *Cost*: O(n log n) comparisons at worst, in practice one pass and a sort of the few faces that have a lowest
 /// edge in common; a byte an edge and 16 bytes each of those.
 pub fn duplicate_faces<K: Connectivity>(kernel: &K) -> Vec<DuplicateFace> {
-    let mut found = Vec::new();
-    alike_faces(kernel).iter().for_each(|group| repeats(group, &mut found));
+    let mut found: Vec<DuplicateFace> = alike_faces(kernel).iter().flat_map(|group| repeats(group)).collect();
     found.sort_unstable();
     found
 }
@@ -77,18 +76,16 @@ pub fn alike_faces<K: Connectivity>(kernel: &K) -> Vec<Vec<AlikeFace>> {
     groups
 }
 
-/// Adds the faces of a group that repeat an earlier one.
-fn repeats(group: &[AlikeFace], found: &mut Vec<DuplicateFace>) {
+/// The faces of a [group of alike ones](alike_faces) that repeat an earlier one.
+pub fn repeats(group: &[AlikeFace]) -> impl Iterator<Item = DuplicateFace> {
     let mut first = [None::<FaceId>; 2];
-    for &AlikeFace { face, is_reversed } in group {
+    group.iter().filter_map(move |&AlikeFace { face, is_reversed }| {
         let (own, reverse) = (usize::from(is_reversed), usize::from(!is_reversed));
         let same = first[own].map(|original| (original, Likeness::Same));
         let opposite = first[reverse].map(|original| (original, Likeness::Opposite));
-        if let Some((original, likeness)) = same.or(opposite) {
-            found.push(DuplicateFace { face, original, likeness });
-        }
         first[own] = first[own].or(Some(face));
-    }
+        same.or(opposite).map(|(original, likeness)| DuplicateFace { face, original, likeness })
+    })
 }
 
 /// A face with what all faces like it have in common.

@@ -11,8 +11,15 @@ use meshmend_core::{Connectivity, FaceId, PolygonMesh, VertexId};
 ///
 /// *Cost*: linear for small faces, n log n for one of n corners.
 pub fn non_simple_faces<K: Connectivity>(kernel: &K) -> Vec<(FaceId, VertexId)> {
-    let mut buffers = Buffers::default();
-    kernel.faces().filter_map(|face| Some((face, buffers.first_recurring(kernel, face)?))).collect()
+    let (mut shapes, mut vertices) = (FaceShapes::default(), Vec::new());
+    let mut recurring = |face: FaceId| {
+        // In normal form a triangle has three different vertices.
+        kernel.face_corners(face).nth(3)?;
+        vertices.clear();
+        vertices.extend(kernel.face_vertices(face));
+        shapes.recurring(&vertices)
+    };
+    kernel.faces().filter_map(|face| Some((face, recurring(face)?))).collect()
 }
 
 /// The faces of a mesh's complex that list a vertex twice in a row as stored, or walk to a vertex and straight
@@ -24,44 +31,47 @@ pub fn faces_with_repeated_corners(mesh: &PolygonMesh) -> Vec<(FaceId, VertexId)
     if normal.is_all_triangles() && mesh.complex().is_as_stored() {
         return Vec::new();
     }
-    let repeated = |face: FaceId| {
-        let (all, kept) = (stored.face_vertices(face), normal.face_vertices(face));
-        let in_a_row = (!kept.is_empty() && kept.len() < all.len())
-            .then(|| (0..all.len()).find(|&i| all[i] == all[(i + 1) % all.len()]).map(|i| all[i]));
-        // Three different vertices have none.
-        let spike = || {
-            let n = kept.len();
-            (0..n).find(|&i| kept[i] == kept[(i + 2) % n]).map(|i| kept[i])
-        };
-        in_a_row.flatten().or_else(spike)
-    };
+    let repeated =
+        |face: FaceId| FaceShapes::repeated(stored.face_vertices(face), normal.face_vertices(face));
     stored.faces().filter_map(|face| Some((face, repeated(face)?))).collect()
 }
 
-/// What is needed to look at one face after another.
-#[derive(Default)]
-struct Buffers {
-    vertices: Vec<VertexId>,
+/// Looks at the shape of one face after another.
+#[derive(Debug, Default)]
+pub struct FaceShapes {
     places: Vec<(VertexId, u32)>,
 }
 
-impl Buffers {
-    fn first_recurring<K: Connectivity>(&mut self, kernel: &K, face: FaceId) -> Option<VertexId> {
-        // In normal form a triangle has three different vertices.
-        kernel.face_corners(face).nth(3)?;
-        self.vertices.clear();
-        self.vertices.extend(kernel.face_vertices(face));
-        if self.vertices.len() <= 16 {
-            let mut places = 1..self.vertices.len();
-            return places
-                .find(|&i| self.vertices[..i].contains(&self.vertices[i]))
-                .map(|i| self.vertices[i]);
+impl FaceShapes {
+    /// The first vertex of a face in normal form that recurs, if it is not simple.
+    ///
+    /// *Cost*: linear for small faces, n log n for one of n corners.
+    pub fn recurring(&mut self, normal: &[VertexId]) -> Option<VertexId> {
+        if normal.len() <= 16 {
+            let mut places = 1..normal.len();
+            return places.find(|&i| normal[..i].contains(&normal[i])).map(|i| normal[i]);
         }
         self.places.clear();
-        self.places.extend(self.vertices.iter().copied().zip(0..));
+        self.places.extend(normal.iter().copied().zip(0..));
         self.places.sort_unstable();
         let recurring = self.places.windows(2).filter(|pair| pair[0].0 == pair[1].0);
         recurring.min_by_key(|pair| pair[1].1).map(|pair| pair[0].0)
+    }
+
+    /// The first vertex that a face lists twice in a row as stored, or else from which it walks to another and straight back in
+    /// normal form. A degenerate face, whose normal form is empty here, has none.
+    ///
+    /// *Cost*: linear in the corners.
+    pub fn repeated(stored: &[VertexId], normal: &[VertexId]) -> Option<VertexId> {
+        let in_a_row = (!normal.is_empty() && normal.len() < stored.len()).then(|| {
+            (0..stored.len()).find(|&i| stored[i] == stored[(i + 1) % stored.len()]).map(|i| stored[i])
+        });
+        // Three different vertices have none.
+        let spike = || {
+            let n = normal.len();
+            (0..n).find(|&i| normal[i] == normal[(i + 2) % n]).map(|i| normal[i])
+        };
+        in_a_row.flatten().or_else(spike)
     }
 }
 

@@ -3,5 +3,5 @@
 mod duplicates;
 mod face_shape;
 
-pub use duplicates::{AlikeFace, DuplicateFace, Likeness, alike_faces, duplicate_faces};
-pub use face_shape::{faces_with_repeated_corners, non_simple_faces};
+pub use duplicates::{AlikeFace, DuplicateFace, Likeness, alike_faces, duplicate_faces, repeats};
+pub use face_shape::{FaceShapes, faces_with_repeated_corners, non_simple_faces};

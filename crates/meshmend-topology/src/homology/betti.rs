@@ -80,21 +80,78 @@ pub fn betti_within<K: Connectivity>(
     patches: &Patches,
     budget: u64,
 ) -> Betti {
-    let face_count: usize = patches.ids().map(|patch| patches.faces(patch).len()).sum();
-    let from_nullity = |nullity: usize| {
-        let (b0, b2) = (components.count(), nullity);
-        // β₁ = β₀ + β₂ − χ, in an order that stays above 0: E ≥ V − β₀ and E − V + β₀ ≥ F − β₂.
-        let b1 = (kernel.edge_count() + b0 + b2) - components.referenced_vertices() - face_count;
-        [b0 as u64, b1 as u64, b2 as u64]
+    let faces: usize = patches.ids().map(|patch| patches.faces(patch).len()).sum();
+    let elements = [components.referenced_vertices(), kernel.edge_count(), faces].map(|count| count as u64);
+    betti_of(elements, components.count() as u64, &KernelCycles::of(kernel, patches), budget)
+}
+
+/// The Betti numbers of a complex with these numbers of vertices, edges and faces, and of components.
+///
+/// *Cost*: that of elimination on one unknown a patch; at most `budget` entries touched for each field.
+pub fn betti_of(elements: [u64; 3], components: u64, cycles: &impl TwoCycles, budget: u64) -> Betti {
+    let [vertices, edges, faces] = elements;
+    // β₁ = β₀ + β₂ − χ, in an order that stays above 0: E ≥ V − β₀ and E − V + β₀ ≥ F − β₂.
+    let from_nullity = |b2: u64| [components, (edges + components + b2) - vertices - faces, b2];
+    let is_closed = |patch: PatchEnds| !patch.has_boundary;
+    let is_two_sided = |patch: PatchEnds| is_closed(patch) && patch.is_orientable;
+    let sign = |is_forward| if is_forward { 1 } else { -1 };
+    Betti {
+        z2: nullity(cycles, PrimeField::TWO, is_closed, |_| 1, budget).map(from_nullity),
+        q: nullity(cycles, PrimeField::LARGE, is_two_sided, sign, budget).map(from_nullity),
+    }
+}
+
+/// What a 2-cycle has to satisfy, still without a field.
+pub trait TwoCycles {
+    /// The patches, by number.
+    fn patches(&self) -> impl Iterator<Item = PatchEnds>;
+
+    /// Hands over the uses of each edge of degree 3 or more, by ascending edge.
+    fn each_branch(&self, visit: impl FnMut(&[PatchUse]));
+}
+
+/// How a patch ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PatchEnds {
+    /// Whether it has an edge of degree 1.
+    pub has_boundary: bool,
+    /// Whether its faces can be flipped so that none of its edges is inconsistent.
+    pub is_orientable: bool,
+}
+
+/// A use of an edge by a face of a patch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PatchUse {
+    /// The patch.
+    pub patch: PatchId,
+    /// Whether it runs from the lower to the higher vertex when all faces of the patch lie as its lowest one.
+    pub is_forward: bool,
+}
+
+/// The dimension of the 2-cycles over a field, where a patch is an unknown if it may be one; nothing beyond the budget.
+fn nullity(
+    cycles: &impl TwoCycles,
+    field: PrimeField,
+    may_be_unknown: impl Fn(PatchEnds) -> bool,
+    coefficient: impl Fn(bool) -> i64,
+    budget: u64,
+) -> Option<u64> {
+    let mut unknown_count = 0;
+    let number = |patch| {
+        let is_unknown = may_be_unknown(patch);
+        unknown_count += u32::from(is_unknown);
+        is_unknown.then(|| unknown_count - 1)
     };
-    let system = System::of(kernel, patches);
-    let z2 = system.nullity(PrimeField::TWO, |_| true, |_| 1, budget);
-    let sign = |corner: CornerId| {
-        let is_same = patches.side(kernel.corner_face(corner)) == Side::Same;
-        if is_same == kernel.is_forward(corner) { 1 } else { -1 }
-    };
-    let q = system.nullity(PrimeField::LARGE, |patch| patches.is_orientable(patch), sign, budget);
-    Betti { z2: z2.map(from_nullity), q: q.map(from_nullity) }
+    let unknowns: Column<PatchId, Option<u32>> = cycles.patches().map(number).collect();
+    let (mut rows, mut terms) = (SparseRows::new(field), Vec::new());
+    cycles.each_branch(|uses| {
+        terms.clear();
+        terms.extend(
+            uses.iter().filter_map(|use_| Some((unknowns[use_.patch]?, coefficient(use_.is_forward)))),
+        );
+        rows.push(&mut terms);
+    });
+    Some(u64::from(unknown_count) - rows.rank(unknown_count as usize, budget)? as u64)
 }
 
 /// The instigator counts of a complex with these numbers of elements and of components, and β₂ over ℤ/2.
@@ -110,8 +167,8 @@ pub fn instigators(elements: [u64; 3], components: u64, b2: Option<u64>) -> Inst
     }
 }
 
-/// What a 2-cycle has to satisfy, still without a field.
-struct System<'a, K> {
+/// The system of a complex in memory.
+struct KernelCycles<'a, K> {
     kernel: &'a K,
     patches: &'a Patches,
     has_boundary: Column<PatchId, bool>,
@@ -119,7 +176,7 @@ struct System<'a, K> {
     branches: Vec<EdgeId>,
 }
 
-impl<'a, K: Connectivity> System<'a, K> {
+impl<'a, K: Connectivity> KernelCycles<'a, K> {
     fn of(kernel: &'a K, patches: &'a Patches) -> Self {
         let mut has_boundary = Column::filled(false, patches.count());
         let mut branches = Vec::new();
@@ -133,36 +190,32 @@ impl<'a, K: Connectivity> System<'a, K> {
                 EdgeClass::NonManifold => branches.push(edge),
             }
         }
-        System { kernel, patches, has_boundary, branches }
+        KernelCycles { kernel, patches, has_boundary, branches }
     }
 
-    /// The dimension of the 2-cycles over a field, where a patch without boundary is an unknown if it may be one;
-    /// nothing beyond the budget.
-    fn nullity(
-        &self,
-        field: PrimeField,
-        may_be_unknown: impl Fn(PatchId) -> bool,
-        coefficient: impl Fn(CornerId) -> i64,
-        budget: u64,
-    ) -> Option<usize> {
-        let mut unknown_count = 0;
-        let number = |patch| {
-            let is_unknown = !self.has_boundary[patch] && may_be_unknown(patch);
-            unknown_count += u32::from(is_unknown);
-            is_unknown.then(|| unknown_count - 1)
-        };
-        let unknowns: Column<PatchId, Option<u32>> = self.patches.ids().map(number).collect();
-        let mut rows = SparseRows::new(field);
-        let mut terms = Vec::new();
+    fn use_of(&self, corner: CornerId) -> Option<PatchUse> {
+        let face = self.kernel.corner_face(corner);
+        let is_same = self.patches.side(face) == Side::Same;
+        let is_forward = is_same == self.kernel.is_forward(corner);
+        Some(PatchUse { patch: self.patches.of_face(face)?, is_forward })
+    }
+}
+
+impl<K: Connectivity> TwoCycles for KernelCycles<'_, K> {
+    fn patches(&self) -> impl Iterator<Item = PatchEnds> {
+        self.patches.ids().map(|patch| PatchEnds {
+            has_boundary: self.has_boundary[patch],
+            is_orientable: self.patches.is_orientable(patch),
+        })
+    }
+
+    fn each_branch(&self, mut visit: impl FnMut(&[PatchUse])) {
+        let mut uses = Vec::new();
         for &edge in &self.branches {
-            terms.clear();
-            terms.extend(self.kernel.edge_corners(edge).filter_map(|corner| {
-                let patch = self.patches.of_face(self.kernel.corner_face(corner))?;
-                Some((unknowns[patch]?, coefficient(corner)))
-            }));
-            rows.push(&mut terms);
+            uses.clear();
+            uses.extend(self.kernel.edge_corners(edge).filter_map(|corner| self.use_of(corner)));
+            visit(&uses);
         }
-        Some(unknown_count as usize - rows.rank(unknown_count as usize, budget)?)
     }
 }
 

@@ -6,5 +6,8 @@ mod incremental;
 
 pub(crate) use elimination::{PrimeField, SparseRows};
 
-pub use betti::{Betti, ELIMINATION_BUDGET, Instigators, betti, betti_within, instigators};
+pub use betti::{
+    Betti, ELIMINATION_BUDGET, Instigators, PatchEnds, PatchUse, TwoCycles, betti, betti_of, betti_within,
+    instigators,
+};
 pub use incremental::{Effect, Incremental, REDUCTION_BUDGET, Step, incremental, incremental_within};

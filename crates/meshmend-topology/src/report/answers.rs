@@ -3,16 +3,13 @@
 use std::convert::Infallible;
 use std::sync::Arc;
 
-use meshmend_core::{
-    Cancelled, Column, Connectivity, DefectKind, KernelTask, PolygonMesh, Watch, vertex_classes,
-};
+use meshmend_core::{Cancelled, Connectivity, KernelTask, PolygonMesh, Watch, vertex_classes};
 
-use super::totals::SurfaceTotals;
-use super::{DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness};
-use crate::surfaces::component_kinds::{ComponentFacts, component_facts, component_kinds};
+use super::{Figures, Reason, TopologyReport, Undefined, Witness};
+use crate::surfaces::component_kinds::{component_facts, component_kinds};
 use crate::{
-    Betti, ComponentId, Components, DefectList, Orientability, Patches, betti, boundary_loops, components,
-    instigators, one_sided_loops, orientability, patches,
+    DefectList, Orientability, Patches, betti, boundary_loops, components, one_sided_loops, orientability,
+    patches,
 };
 
 /// The topology of a mesh, through a kernel of its complex.
@@ -74,78 +71,20 @@ impl<E: Send, L: Fn(usize) -> Result<(), E> + Sync> KernelTask for AllAnswers<'_
         );
         look(QUESTIONS)?;
         let (edges, faces) = (kernel.edge_count() as u64, mesh.complex().proper_face_count() as u64);
-        Ok(Answers { edges, faces, components, patches, facts, defects, betti, witness, is_least }.report())
-    }
-}
-
-/// What each question was answered.
-struct Answers {
-    edges: u64,
-    faces: u64,
-    components: Components,
-    patches: Patches,
-    facts: Column<ComponentId, ComponentFacts>,
-    defects: Arc<DefectList>,
-    betti: Betti,
-    witness: Witness,
-    /// Whether each witness is as short as was asked for.
-    is_least: bool,
-}
-
-impl Answers {
-    fn report(self) -> TopologyReport {
-        let Answers { edges, faces, components, patches, facts, defects, betti, witness, is_least } = self;
-        let count = |kind: DefectKind| defects.count(kind) as u64;
-        let vertices = components.referenced_vertices() as u64;
-        let elements = [vertices, edges, faces];
-        let (boundary_edges, non_manifold_edges) =
-            (count(DefectKind::BoundaryEdge), count(DefectKind::NonManifoldEdge));
-        let totals = SurfaceTotals::of(facts.values());
-        let betti_unknown = (betti.z2.is_none() || betti.q.is_none()).then_some(Reason::EliminationBudget);
-        let mut undefined = totals.undefined(components.count() > 0);
-        undefined.extend(not_computed(betti_unknown, is_least));
-        TopologyReport {
-            vertices,
-            edges,
-            faces,
-            unreferenced_vertices: count(DefectKind::UnreferencedVertex),
-            loose_edges: count(DefectKind::LooseEdge),
-            loose_points: count(DefectKind::LoosePoint),
-            non_finite_vertices: count(DefectKind::NonFiniteVertex),
-            degenerate_faces: count(DefectKind::DegenerateFace),
-            non_simple_faces: count(DefectKind::NonSimpleFace),
-            repeated_corner_faces: count(DefectKind::RepeatedCorner),
-            duplicate_faces: DuplicateCounts {
-                same: count(DefectKind::DuplicateFace),
-                opposite: count(DefectKind::OppositeFace),
-            },
-            boundary_edges,
-            interior_edges: edges - boundary_edges - non_manifold_edges,
-            non_manifold_edges,
-            inconsistent_edges: count(DefectKind::InconsistentEdge),
-            non_manifold_vertices: NonManifoldVertexCounts {
-                pinched: count(DefectKind::PinchedVertex),
-                singular: count(DefectKind::SingularVertex),
-            },
-            manifold: facts.values().iter().all(|component| component.is_manifold),
-            closed: faces > 0 && boundary_edges == 0,
-            consistently_oriented: count(DefectKind::InconsistentEdge) == 0,
-            orientable: count(DefectKind::NonOrientablePatch) == 0,
-            euler_characteristic: vertices as i64 - edges as i64 + faces as i64,
+        let figures = Figures {
+            elements: [components.referenced_vertices() as u64, edges, faces],
             components: components.count() as u64,
             patches: patches.count() as u64,
-            non_orientable_patches: count(DefectKind::NonOrientablePatch),
-            boundary_loops: totals.boundary_loops,
-            genus: totals.genus,
-            cross_caps: totals.cross_caps,
-            betti,
-            betti_unknown,
-            instigators: instigators(elements, components.count() as u64, betti.z2.map(|b| b[2])),
             component_kinds: component_kinds(&components, &facts),
+            betti,
             witness,
-            undefined,
-            defects,
-        }
+            witness_unknown: (!is_least)
+                .then_some(Undefined { figure: "shortest_witness", reason: Reason::SearchBudget }),
+        };
+        Ok(TopologyReport {
+            defects: Arc::clone(&defects),
+            ..figures.report(|kind| defects.count(kind) as u64)
+        })
     }
 }
 
@@ -159,11 +98,4 @@ fn witnesses<K: Connectivity>(kernel: &K, patches: &Patches, witness: Witness) -
             (Orientability { one_sided: loops.into_iter().map(|found| found.strip).collect() }, is_least)
         }
     }
-}
-
-/// Which figures would have taken too long.
-fn not_computed(betti_unknown: Option<Reason>, is_least: bool) -> impl Iterator<Item = Undefined> {
-    let witness_unknown = (!is_least).then_some(Reason::SearchBudget);
-    let figures = [("betti", betti_unknown), ("shortest_witness", witness_unknown)];
-    figures.into_iter().filter_map(|(figure, reason)| Some(Undefined { figure, reason: reason? }))
 }

@@ -1,6 +1,7 @@
 //! All questions asked at once.
 
 mod answers;
+mod figures;
 mod topology_report;
 mod totals;
 
@@ -8,6 +9,7 @@ mod totals;
 mod tests;
 
 pub use answers::{topology, topology_watched};
+pub use figures::Figures;
 pub use topology_report::{
     DuplicateCounts, NonManifoldVertexCounts, Reason, TopologyReport, Undefined, Witness,
 };

@@ -138,6 +138,8 @@ pub enum Reason {
     /// Elimination would touch more than [`ELIMINATION_BUDGET`](crate::ELIMINATION_BUDGET) matrix entries, or a
     /// reduction more than [`REDUCTION_BUDGET`](crate::REDUCTION_BUDGET).
     EliminationBudget,
+    /// The faces that it needs do not fit the memory that may be used.
+    BeyondMemory,
     /// The search would look more than [`ONE_SIDED_BUDGET`](crate::ONE_SIDED_BUDGET) times at a side.
     SearchBudget,
 }

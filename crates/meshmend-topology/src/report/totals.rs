@@ -1,8 +1,7 @@
 //! The figures that only surfaces have.
 
 use super::{Reason, Undefined};
-use crate::Surface;
-use crate::surfaces::component_kinds::ComponentFacts;
+use crate::ComponentKind;
 
 /// The figures that only surfaces have, summed over the components.
 pub(super) struct SurfaceTotals {
@@ -12,21 +11,18 @@ pub(super) struct SurfaceTotals {
 }
 
 impl SurfaceTotals {
-    pub(super) fn of(components: &[ComponentFacts]) -> Self {
-        let surfaces = || components.iter().map(ComponentFacts::surface);
-        if surfaces().any(|surface| surface.is_none()) {
+    pub(super) fn of(kinds: &[ComponentKind]) -> Self {
+        if kinds.iter().any(|kind| kind.boundary_loops.is_none()) {
             return SurfaceTotals { boundary_loops: None, genus: None, cross_caps: None };
         }
-        let total = |figure: fn(Surface) -> Option<u64>| {
-            surfaces()
-                .flatten()
-                .filter_map(figure)
-                .fold(None, |sum: Option<u64>, one| Some(sum.unwrap_or(0) + one))
+        let total = |figure: fn(&ComponentKind) -> Option<u64>| {
+            let figures = kinds.iter().filter_map(|kind| Some(kind.count * figure(kind)?));
+            figures.fold(None, |sum: Option<u64>, one| Some(sum.unwrap_or(0) + one))
         };
         SurfaceTotals {
-            boundary_loops: Some(surfaces().flatten().map(Surface::holes).sum()),
-            genus: total(Surface::genus),
-            cross_caps: total(Surface::cross_caps),
+            boundary_loops: Some(total(|kind| kind.boundary_loops).unwrap_or(0)),
+            genus: total(|kind| kind.genus),
+            cross_caps: total(|kind| kind.cross_caps),
         }
     }
 

@@ -131,11 +131,7 @@ pub fn component_kinds(
     components: &Components,
     facts: &Column<ComponentId, ComponentFacts>,
 ) -> Vec<ComponentKind> {
-    // Loops that touch a component which is not a surface do not count in its row.
-    let row = |component: ComponentId| {
-        let facts = facts[component];
-        ComponentFacts { loops: if facts.is_manifold { facts.loops } else { 0 }, ..facts }
-    };
+    let row = |component: ComponentId| facts[component].row();
     let mut sorted: Vec<ComponentId> = components.ids().collect();
     sorted.sort_unstable_by_key(|&component| (row(component), component));
     let alike = sorted.chunk_by(|&one, &other| row(one) == row(other));
@@ -147,8 +143,17 @@ pub fn component_kinds(
     kinds
 }
 
+impl ComponentFacts {
+    /// The facts that tell components apart. Loops that touch a component which is not a surface do not count.
+    #[must_use]
+    pub fn row(self) -> Self {
+        ComponentFacts { loops: if self.is_manifold { self.loops } else { 0 }, ..self }
+    }
+}
+
 impl ComponentKind {
-    fn of(facts: ComponentFacts, count: u64, first_vertex: VertexId) -> Self {
+    /// So many components with these facts, the first of which has this lowest vertex.
+    pub fn of(facts: ComponentFacts, count: u64, first_vertex: VertexId) -> Self {
         let surface = facts.surface();
         ComponentKind {
             count,
