@@ -58,7 +58,7 @@ pub use kernel::{
     Adjacency, Array, Build, Capabilities, Cell, CellError, Connectivity, Cost, Costs, EdgeClass, EdgeUse,
     Grouped, Incidence, KernelTask, Lesson, ManifoldConnectivity, Per, Pointer, Refusal, Target, Umbrellas,
     VertexClass, admission, edge_class, irregular_vertices, is_inconsistent, is_manifold, umbrellas,
-    vertex_classes,
+    vertex_classes, vertex_classes_in,
 };
 pub use lists::Lists;
 pub use polygon_mesh::{Counts, MeshArrays, MeshError, Metadata, PolygonMesh, SharedPlaces};

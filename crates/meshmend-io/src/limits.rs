@@ -62,8 +62,8 @@ const NAMES: [(&str, &str, &str); 13] = [
     (NODES, "node", "max_nodes"),
 ];
 
-/// How many vertices a file may have whose mesh is not held; the highest number of 32 bits is none.
-const MOST_STREAMED_VERTICES: u64 = u32::MAX as u64;
+/// How many vertices, and how many corners, a file may have whose mesh is not held; the highest number of 32 bits is none.
+const MOST_STREAMED: u64 = u32::MAX as u64;
 
 /// What a source of unknown size can have too much of.
 pub(crate) const STREAM_BYTES: &str = "bytes from a source that does not tell its size";
@@ -174,10 +174,9 @@ impl Limits {
         let widened = |limit, usual, most| if limit == usual { most } else { limit };
         Limits {
             max_file_bytes: widened(self.max_file_bytes, usual.max_file_bytes, u64::MAX),
-            max_vertices: widened(self.max_vertices, usual.max_vertices, MOST_STREAMED_VERTICES)
-                .min(MOST_STREAMED_VERTICES),
+            max_vertices: widened(self.max_vertices, usual.max_vertices, MOST_STREAMED).min(MOST_STREAMED),
             max_faces: self.max_faces.min(usual.max_faces),
-            max_corners: widened(self.max_corners, usual.max_corners, u64::MAX),
+            max_corners: widened(self.max_corners, usual.max_corners, MOST_STREAMED).min(MOST_STREAMED),
             ..self
         }
     }

@@ -108,7 +108,7 @@ pub fn read_document_stream(
 }
 
 /// Hands the vertices and faces of a file to a sink, in the order in which they stand there. Nothing of them is kept, so the file may
-/// be larger than memory: limits that are as wide as a mesh become as wide as numbers of 32 bits, and corners have none.
+/// be larger than memory: limits that are as wide as a mesh become as wide as numbers of 32 bits.
 ///
 /// Binary PLY without triangle strips and binary STL can be read so.
 ///

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{Defect, DefectKind, Detail, Element, Unjudged};
-use crate::{FaceId, VertexId, counted};
+use crate::{EdgeId, FaceId, VertexId, counted};
 
 impl Defect {
     /// A defect of a kind at an element.
@@ -44,6 +44,13 @@ impl Defect {
     pub fn with_faces(self, name: impl Fn(FaceId) -> FaceId) -> Self {
         let beside = self.beside.map(|element| element.with_faces(&name));
         Defect { at: self.at.with_faces(name), beside, ..self }
+    }
+
+    /// The defect with other names for its edges: those of another numbering of the same mesh.
+    #[must_use]
+    pub fn with_edges(self, name: impl Fn(EdgeId) -> EdgeId) -> Self {
+        let beside = self.beside.map(|element| element.with_edges(&name));
+        Defect { at: self.at.with_edges(name), beside, ..self }
     }
 
     /// What a place holder in a rule's sentence stands for; `None` if it stands for nothing that the defect has.
@@ -115,5 +122,14 @@ mod tests {
         assert_eq!(twin, Defect::duplicate_face(FaceId(11), FaceId(10)));
         let strip = |at| Defect::non_orientable_patch(vec![FaceId(at), FaceId(at + 1)], Vec::new());
         assert_eq!(strip(0).with_faces(far), strip(10));
+    }
+
+    #[test]
+    fn other_names_are_given_to_all_edges() {
+        let far = |edge: EdgeId| EdgeId(edge.0 + 10);
+        let open = |at| Defect::boundary_edge(EdgeId(at), [VertexId(0), VertexId(1)]);
+        assert_eq!(open(1).with_edges(far), open(11));
+        let strip = |at| Defect::non_orientable_patch(vec![FaceId(0)], vec![EdgeId(at), EdgeId(at + 1)]);
+        assert_eq!(strip(0).with_edges(far), strip(10));
     }
 }

@@ -108,6 +108,17 @@ impl Element {
         self
     }
 
+    /// The element with other names for its edges: those of another numbering of the same mesh.
+    #[must_use]
+    pub fn with_edges(mut self, name: impl Fn(EdgeId) -> EdgeId) -> Self {
+        match &mut self {
+            Element::Edge { edge, .. } => *edge = name(*edge),
+            Element::Strip(strip) => strip.edges.iter_mut().for_each(|edge| *edge = name(*edge)),
+            _ => {}
+        }
+        self
+    }
+
     /// The element with other names for its faces: those of another numbering of the same mesh.
     #[must_use]
     pub fn with_faces(mut self, name: impl Fn(FaceId) -> FaceId) -> Self {

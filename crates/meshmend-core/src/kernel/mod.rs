@@ -27,6 +27,6 @@ pub use lesson::Lesson;
 pub use pointers::{Cell, CellError, Pointer, Target};
 pub use stars::{
     EdgeClass, Umbrellas, VertexClass, edge_class, irregular_vertices, is_inconsistent, is_manifold,
-    umbrellas, vertex_classes,
+    umbrellas, vertex_classes, vertex_classes_in,
 };
 pub use task::KernelTask;

@@ -1,5 +1,7 @@
 //! The local classes: what an edge's and a vertex's star look like.
 
+use std::ops::Range;
+
 use crate::{Classes, Column, Connectivity, CornerId, EdgeId, Id, VertexId, threads};
 
 /// What an edge is, by the number of sides that run along it.
@@ -85,14 +87,20 @@ const CHUNK: usize = 1 << 12;
 ///
 /// *Cost*: O(Σ d log d) over the vertices' degrees d.
 pub fn vertex_classes<K: Connectivity>(kernel: &K) -> Column<VertexId, VertexClass> {
+    vertex_classes_in(kernel, 0..kernel.vertex_count()).into()
+}
+
+/// The class of each vertex of a range.
+///
+/// *Cost*: that of [`vertex_classes`] for these vertices.
+pub fn vertex_classes_in<K: Connectivity>(kernel: &K, vertices: Range<usize>) -> Vec<VertexClass> {
     let class = |star: &mut Star, v| star.umbrellas(kernel, VertexId::new(v)).class();
-    let vertices = 0..kernel.vertex_count();
     // Threads are not worth starting for a small mesh.
     if vertices.len() <= CHUNK {
         let mut star = Star::default();
         return vertices.map(|v| class(&mut star, v)).collect();
     }
-    threads::map_with(vertices, CHUNK, Star::default, class).into()
+    threads::map_with(vertices, CHUNK, Star::default, class)
 }
 
 /// The vertices in some face that are neither disc nor half-disc, ascending, with what they are.

@@ -34,6 +34,8 @@ pub struct Announced {
     pub corners: u64,
     /// Whether all coordinates are stored in single precision.
     pub is_single: bool,
+    /// Whether each face has three vertices of its own, in the order of the faces.
+    pub is_soup: bool,
 }
 
 /// What is known of a file when all of it was handed over.

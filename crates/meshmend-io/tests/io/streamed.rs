@@ -64,6 +64,10 @@ fn assert_alike(path: &Path) -> bool {
             assert_eq!(announced.vertices, kept.positions.len() as u64, "{name}");
             assert_eq!(announced.faces, kept.faces.len() as u64, "{name}");
             assert!(announced.corners >= kept.faces.iter().map(Vec::len).sum::<usize>() as u64, "{name}");
+            let soup = (0..)
+                .zip(&kept.faces)
+                .all(|(f, face)| face[..] == [3 * f, 3 * f + 1, 3 * f + 2].map(VertexId));
+            assert!(soup || !announced.is_soup, "{name}");
             let are_single = kept.positions.iter().flatten().all(|&x| x.is_nan() || f64::from(x as f32) == x);
             assert!(are_single || !announced.is_single, "{name}");
         }

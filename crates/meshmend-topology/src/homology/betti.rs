@@ -95,9 +95,12 @@ pub fn betti_of(elements: [u64; 3], components: u64, cycles: &impl TwoCycles, bu
     let is_closed = |patch: PatchEnds| !patch.has_boundary;
     let is_two_sided = |patch: PatchEnds| is_closed(patch) && patch.is_orientable;
     let sign = |is_forward| if is_forward { 1 } else { -1 };
+    let [free_z2, free_q] = cycles.free();
+    let z2 = nullity(cycles, PrimeField::TWO, is_closed, |_| 1, budget);
+    let q = nullity(cycles, PrimeField::LARGE, is_two_sided, sign, budget);
     Betti {
-        z2: nullity(cycles, PrimeField::TWO, is_closed, |_| 1, budget).map(from_nullity),
-        q: nullity(cycles, PrimeField::LARGE, is_two_sided, sign, budget).map(from_nullity),
+        z2: z2.map(|nullity| from_nullity(nullity + free_z2)),
+        q: q.map(|nullity| from_nullity(nullity + free_q)),
     }
 }
 
@@ -105,6 +108,11 @@ pub fn betti_of(elements: [u64; 3], components: u64, cycles: &impl TwoCycles, bu
 pub trait TwoCycles {
     /// The patches, by number.
     fn patches(&self) -> impl Iterator<Item = PatchEnds>;
+
+    /// How many unknowns there are beside these patches, over ℤ/2 and over ℚ: closed patches that no edge of degree 3 or more ends.
+    fn free(&self) -> [u64; 2] {
+        [0, 0]
+    }
 
     /// Hands over the uses of each edge of degree 3 or more, by ascending edge.
     fn each_branch(&self, visit: impl FnMut(&[PatchUse]));

@@ -109,7 +109,7 @@ impl Streamer<'_> {
             is_axis && matches!(property.item, Scalar::F64 | Scalar::I32 | Scalar::U32)
         };
         let is_single = element("vertex").is_none_or(|vertex| !vertex.properties.iter().any(is_wide));
-        let announced = Announced { vertices: self.vertex_count, faces, corners, is_single };
+        let announced = Announced { vertices: self.vertex_count, faces, corners, is_single, is_soup: false };
         self.sink.begin(&announced).map_err(|stopped| source.cancelled(stopped))
     }
 
