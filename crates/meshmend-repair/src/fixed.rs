@@ -81,8 +81,8 @@ impl Fixed {
         self.listed.iter().cloned().chain(turned).chain(joined)
     }
 
-    /// The vertices that were joined to others, each with the one that it was joined to.
-    pub(crate) fn joined_vertices(&self) -> impl Iterator<Item = (VertexId, VertexId)> + '_ {
+    /// The vertices that were joined to others, ascending, each with the one that it was joined to.
+    pub fn joined_vertices(&self) -> impl Iterator<Item = (VertexId, VertexId)> + '_ {
         let all = (0..self.joined_to.len()).map(|vertex| (VertexId::new(vertex), self.joined_to.of(vertex)));
         all.filter(|(vertex, low)| vertex != low)
     }

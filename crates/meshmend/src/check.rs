@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::iter;
 
 use meshmend_core::{
-    Cancelled, Defect, DefectKind, Defects, FaceId, Found, Listed, PolygonMesh, Rules, Severity, Sources,
+    Cancelled, Defect, DefectKind, Defects, FaceId, Found, Id, Listed, PolygonMesh, Rules, Severity, Sources,
     VertexId, Watch,
 };
 use meshmend_geometry::coincident::{Coincidence, equal_in_pose};
-use meshmend_repair::{Distance, PassError, Session, Weld};
+use meshmend_repair::{Distance, Fixed, PassError, Session, Weld};
 use meshmend_topology::TopologyReport;
 use serde::Serialize;
 
@@ -124,10 +124,20 @@ pub(crate) fn viewed(
     session: &mut Session,
     view: View,
 ) -> Result<(PolygonMesh, Sources<VertexId>), PassError> {
-    if let Some(distance) = view.distance() {
-        session.apply(Weld::within(distance))?;
-    }
-    Ok((session.mesh().clone(), session.provenance().vertices.clone()))
+    let Some(distance) = view.distance() else {
+        return Ok((session.mesh().clone(), session.provenance().vertices.clone()));
+    };
+    let stored = session.mesh().counts().vertices;
+    let fixed = &session.apply(Weld::within(distance))?.fixed;
+    let names = if fixed.is_empty() { Sources::same(stored) } else { kept(stored, fixed) };
+    Ok((session.mesh().clone(), names))
+}
+
+/// Of so many vertices those that a weld kept: each class has the place of its lowest vertex, whether a face uses that or not.
+fn kept(stored: usize, fixed: &Fixed) -> Sources<VertexId> {
+    let mut joined = fixed.joined_vertices().map(|(vertex, _)| vertex).peekable();
+    let kept = (0..stored).map(VertexId::new).filter(|vertex| joined.next_if_eq(vertex).is_none());
+    Sources::listed(kept.map(Some))
 }
 
 impl CheckReport {
@@ -208,7 +218,8 @@ impl CheckReport {
             own,
             geometry: None,
         };
-        report.kernels = kernels.all().map(|kernel| report.verdict(kernel)).collect();
+        let count = |kind| report.count(kind) as u64;
+        report.kernels = kernels.all().map(|kernel| KernelVerdict::of(kernel, count)).collect();
         Ok(report)
     }
 
@@ -220,8 +231,7 @@ impl CheckReport {
 
     /// Whether nothing is wrong: no defect of any kind but notes.
     pub fn is_sound(&self) -> bool {
-        let mut wrong = self.rules.kinds().filter(|kind| kind.severity() == Severity::Defect);
-        wrong.all(|kind| self.count(kind) == 0)
+        is_sound(self.rules, |kind| self.count(kind) as u64)
     }
 
     /// How many defects of a kind there are; 0 for the kinds that only a repair finds.
@@ -276,13 +286,7 @@ impl CheckReport {
 
     /// The kinds that occur and that a report lists, in order.
     pub fn listed_kinds(&self) -> impl Iterator<Item = DefectKind> + '_ {
-        let unasked =
-            |kind: &DefectKind| !matches!(kind.rule().listed, Listed::OnRequest | Listed::AlreadyBy(_));
-        let asked = |kind: &DefectKind| self.asked.contains(kind);
-        self.rules
-            .kinds()
-            .filter(move |kind| unasked(kind) || asked(kind))
-            .filter(|&kind| self.count(kind) > 0)
+        listed_kinds(self.rules, &self.asked, |kind| self.count(kind) as u64)
     }
 
     /// The vertex as stored that a vertex of the mesh is.
@@ -294,14 +298,30 @@ impl CheckReport {
     pub fn stored_face(&self, face: FaceId) -> FaceId {
         self.face_sources.of(face).unwrap_or(face)
     }
+}
 
-    fn verdict(&self, kernel: AnyKernel) -> KernelVerdict {
-        let refusals: BTreeMap<DefectKind, u64> = kernel
-            .capabilities
-            .refused_kinds()
-            .map(|kind| (kind, self.count(kind) as u64))
-            .filter(|&(_, count)| count > 0)
-            .collect();
+/// Whether nothing is wrong, by how many defects of each kind there are.
+pub(crate) fn is_sound(rules: Rules, count: impl Fn(DefectKind) -> u64) -> bool {
+    let mut wrong = rules.kinds().filter(|kind| kind.severity() == Severity::Defect);
+    wrong.all(|kind| count(kind) == 0)
+}
+
+/// The kinds that occur and that a report lists, in order; some because they were asked for.
+pub(crate) fn listed_kinds<'a>(
+    rules: Rules,
+    asked: &'a [DefectKind],
+    count: impl Fn(DefectKind) -> u64 + 'a,
+) -> impl Iterator<Item = DefectKind> + 'a {
+    let unasked = |kind: &DefectKind| !matches!(kind.rule().listed, Listed::OnRequest | Listed::AlreadyBy(_));
+    let is_listed = move |kind: &DefectKind| unasked(kind) || asked.contains(kind);
+    rules.kinds().filter(is_listed).filter(move |&kind| count(kind) > 0)
+}
+
+impl KernelVerdict {
+    /// Whether a kernel holds a mesh with so many defects of each kind.
+    pub(crate) fn of(kernel: AnyKernel, count: impl Fn(DefectKind) -> u64) -> Self {
+        let counts = kernel.capabilities.refused_kinds().map(|kind| (kind, count(kind)));
+        let refusals: BTreeMap<DefectKind, u64> = counts.filter(|&(_, count)| count > 0).collect();
         KernelVerdict { name: kernel.name, holds: refusals.is_empty(), refusals }
     }
 }
@@ -395,6 +415,16 @@ mod tests {
             check(&mesh, &CheckOptions { view, ..CheckOptions::default() }),
             Err(PassError::Request { .. })
         ));
+    }
+
+    #[test]
+    fn of_vertices_that_are_one_the_lowest_is_named_also_where_no_face_uses_it() {
+        let points = [[0.0; 3], [1.0, 0.0, 0.0], [-0.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let mesh = mesh(&points, &[&[1, 3, 2]]);
+        let options = CheckOptions::default().with_view(View::Welded(Distance::Exact));
+        let report = check(&mesh, &options).unwrap();
+        assert_eq!([0, 1, 2].map(|v| report.stored_vertex(VertexId(v))), [0, 1, 3].map(VertexId));
+        assert_eq!(report.mesh.position(VertexId(0)).map(f64::to_bits), [0; 3]);
     }
 
     #[test]

@@ -208,6 +208,7 @@
 mod by_name;
 mod check;
 mod check_options;
+mod external;
 pub mod files;
 mod gate;
 mod geometry_questions;
@@ -239,6 +240,7 @@ pub use meshmend_topology::matrices;
 pub use by_name::{NamedReport, check_by_name};
 pub use check::{CheckReport, KernelVerdict, StoredCounts, check, check_in};
 pub use check_options::CheckOptions;
+pub use external::{ExternalReport, check_external};
 pub use gate::{Criterion, Failing, Gate, UnknownCriterion};
 pub use geometry_questions::{
     GeometryChange, GeometryChanges, GeometryMarks, GeometryOptions, GeometryReport, Question, Questions,
@@ -250,6 +252,7 @@ pub use meshmend_core::{
     CornerId, Defect, DefectKind, EdgeId, Element, FaceId, FaceTable, FaceTableBuilder, FlippedNormals, Id,
     PolygonMesh, Provenance, Refusal, Rule, Rules, Severity, VertexId,
 };
+pub use meshmend_external::{ExternalError, ExternalOptions};
 pub use meshmend_io::{
     Encoding, Format, Loss, Note, ReadError, ReadFile, ReadOptions, Seams, WriteError, WriteOptions, encode,
     read, read_bytes, write,

@@ -1,13 +1,14 @@
 //! The document of a check.
 
-use meshmend_core::{DefectKind, Severity, VertexId};
+use meshmend_core::{Defect, DefectKind, Severity, VertexId};
+use meshmend_external::ExternalCheck;
 use meshmend_io::{Note, ReadFile};
 use meshmend_repair::Distance;
 use meshmend_topology::TopologyReport;
 use serde::Serialize;
 
 use super::{GeometryDocument, Listing, PlacedDefect, SCHEMA};
-use crate::{CheckReport, KernelVerdict, StoredCounts};
+use crate::{CheckReport, ExternalReport, KernelVerdict, StoredCounts};
 
 /// What a check found, with every list cut to a limit. Vertices and faces have the numbers that they have as stored, also in a
 /// welded view: of vertices that are one there, the lowest. Edges are numbered within the view.
@@ -95,6 +96,40 @@ impl CheckDocument {
         }
     }
 
+    /// The document of a report on a mesh that may be larger than memory, with at most `limit` items in each list; no more than were
+    /// asked for when it was checked.
+    pub fn of_external(report: &ExternalReport, name: String, limit: usize) -> Self {
+        let ExternalCheck { file, stored, topology, joined_in_single, .. } = &report.found;
+        let mut topology = topology.clone();
+        let component_kinds_total = topology.component_kinds.len() as u64;
+        topology.component_kinds.truncate(limit);
+        CheckDocument {
+            schema: SCHEMA,
+            file: Some(name),
+            format: Some(file.variant),
+            view: report.view.name(),
+            weld: report.view.distance(),
+            joined_in_single: *joined_in_single,
+            apart_in_pose: 0,
+            stored: StoredCounts {
+                vertices: stored[0] as usize,
+                faces: stored[1] as usize,
+                loose_edges: file.loose_edges.len(),
+                loose_points: 0,
+            },
+            topology,
+            component_kinds_total,
+            shared_edges: None,
+            geometry: None,
+            defects: report
+                .listed_kinds()
+                .map(|kind| DefectGroup::of_external(report, kind, limit))
+                .collect(),
+            kernels: report.kernels.clone(),
+            notes: file.notes.clone(),
+        }
+    }
+
     /// The document with what is known of the file that the mesh was read from.
     pub fn of_file(self, name: String, file: &ReadFile) -> Self {
         let format = Some(file.variant);
@@ -116,6 +151,14 @@ impl DefectGroup {
             count: report.count(kind) as u64,
             items: items.map(|defect| PlacedDefect::of_report(defect, report, limit)).collect(),
         }
+    }
+
+    fn of_external(report: &ExternalReport, kind: DefectKind, limit: usize) -> Self {
+        let ExternalCheck { defects, excerpt, .. } = &report.found;
+        let (count, first) = defects.get(&kind).map_or((0, &[][..]), |(count, first)| (*count, &first[..]));
+        let placed = |defect: &Defect| PlacedDefect::of_excerpt(defect.clone(), excerpt, limit);
+        let items = first.iter().take(limit).map(placed).collect();
+        DefectGroup { kind, severity: kind.severity(), count, items }
     }
 }
 

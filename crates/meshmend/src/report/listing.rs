@@ -1,6 +1,7 @@
 //! Lists that are cut to a limit, and defects with the points at which they are.
 
 use meshmend_core::{Defect, Element, FaceId, PolygonMesh, VertexId};
+use meshmend_external::Excerpt;
 use serde::Serialize;
 
 use crate::CheckReport;
@@ -88,17 +89,29 @@ impl PlacedDefect {
     ///
     /// *Cost*: that of [`faces_round`](meshmend_core::Element::faces_round).
     pub fn of_report(defect: Defect, report: &CheckReport, limit: usize) -> Self {
-        PlacedDefect::new(defect, &report.mesh, limit).named_as_stored(report)
+        let placed = PlacedDefect::new(defect, &report.mesh, limit);
+        placed.named(|vertex| report.stored_vertex(vertex), |face| report.stored_face(face))
     }
 
-    /// The defect with the numbers that its vertices and faces have as stored.
-    fn named_as_stored(mut self, report: &CheckReport) -> Self {
-        let name = |vertex: VertexId| report.stored_vertex(vertex);
-        self.vertices.iter_mut().for_each(|vertex| *vertex = name(*vertex));
-        self.edge_ends.iter_mut().for_each(|ends| *ends = ends.map(name));
-        let face_name = |face: FaceId| report.stored_face(face);
+    /// A defect of an excerpt with its place, as [`CheckDocument`](super::CheckDocument) lists it.
+    ///
+    /// *Cost*: that of [`faces_round`](meshmend_core::Element::faces_round).
+    pub(super) fn of_excerpt(defect: Defect, excerpt: &Excerpt, limit: usize) -> Self {
+        let placed = PlacedDefect::new(defect, &excerpt.mesh, limit);
+        let placed = placed.named(|vertex| excerpt.stored_vertex(vertex), |face| excerpt.stored_face(face));
+        PlacedDefect { defect: placed.defect.with_edges(|edge| excerpt.whole_edge(edge)), ..placed }
+    }
+
+    /// The defect with other numbers for its vertices and faces: those as stored.
+    fn named(
+        mut self,
+        vertex_name: impl Fn(VertexId) -> VertexId,
+        face_name: impl Fn(FaceId) -> FaceId,
+    ) -> Self {
+        self.vertices.iter_mut().for_each(|vertex| *vertex = vertex_name(*vertex));
+        self.edge_ends.iter_mut().for_each(|ends| *ends = ends.map(&vertex_name));
         self.round.iter_mut().flat_map(|round| &mut round.faces).for_each(|face| *face = face_name(*face));
-        PlacedDefect { defect: self.defect.with_vertices(name).with_faces(face_name), ..self }
+        PlacedDefect { defect: self.defect.with_vertices(vertex_name).with_faces(face_name), ..self }
     }
 }
 
