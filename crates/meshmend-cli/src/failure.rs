@@ -4,8 +4,8 @@ use std::fmt;
 use std::process::ExitCode;
 
 use meshmend::files::{FileError, NoSuchPart};
-use meshmend::formats::{Place, WriteErrorKind};
-use meshmend::{PassError, ReadError, WriteError};
+use meshmend::formats::{Place, ReadErrorKind, WriteErrorKind};
+use meshmend::{ExternalError, PassError, ReadError, WriteError};
 
 /// How a command ended. Of several pieces of work the worst counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,6 +86,22 @@ impl Failure {
             _ => "",
         };
         Failure { status, message: format!("{file}: {error}{hint}") }
+    }
+}
+
+impl Failure {
+    /// Why a mesh was not checked within a bound of memory.
+    pub(crate) fn of_external(file: &str, error: ExternalError) -> Self {
+        match error {
+            ExternalError::Read(error) => {
+                let hint =
+                    if matches!(error.kind, ReadErrorKind::NotInRows) { ": leave out --memory" } else { "" };
+                let failure = Failure::from(error);
+                Failure { message: failure.message + hint, ..failure }
+            }
+            ExternalError::Spill { .. } => Failure::unwritable("what does not fit the memory", error),
+            error => Failure { status: Status::Unreadable, message: format!("{file}: {error}") },
+        }
     }
 }
 

@@ -36,6 +36,11 @@ impl InputWords {
         InputWords { from }
     }
 
+    /// How a file is read so.
+    pub(crate) fn options(self) -> ReadOptions {
+        ReadOptions::default().with_format(self.from)
+    }
+
     /// Reads a file, or standard input, with the default limits, as one mesh.
     pub(crate) fn read(self, path: &Path, console: &mut Console<'_>) -> Result<ReadFile, Failure> {
         self.read_told_by("--from", path, console)

@@ -28,8 +28,8 @@ pub struct ExternalOptions {
     pub memory: u64,
     /// The folder for what does not fit it.
     pub folder: PathBuf,
-    /// Whether vertices at one place are one.
-    pub is_welded: bool,
+    /// Whether vertices at one place are one; by default in files without indices.
+    pub is_welded: Option<bool>,
     /// How many defects of each kind are listed.
     pub limit: usize,
     /// How the file is read, and who watches.
@@ -44,7 +44,7 @@ impl ExternalOptions {
         ExternalOptions {
             memory,
             folder: std::env::temp_dir(),
-            is_welded: false,
+            is_welded: None,
             limit: 10,
             read: ReadOptions::default(),
             parts: None,
@@ -55,6 +55,8 @@ impl ExternalOptions {
 /// What a check of a mesh larger than memory found.
 #[derive(Debug)]
 pub struct ExternalCheck {
+    /// Whether vertices at one place were taken for one.
+    pub is_welded: bool,
     /// What is known of the file.
     pub file: Streamed,
     /// How many vertices and faces are stored.
@@ -88,7 +90,7 @@ pub fn external_check(path: &Path, options: &ExternalOptions) -> Result<External
     let budget = Budget { memory: *memory, folder, parts: *parts };
     let mut lists = Lists::new(*limit);
     let mut places = places(path, read, *is_welded, &budget, &mut lists)?;
-    let for_faces = budget.for_faces(&places.announced, places.vertex_count.into(), *is_welded)?;
+    let for_faces = budget.for_faces(&places.announced, places.vertex_count.into(), places.is_welded)?;
     let faces = faces(path, read, &mut places, (&budget, for_faces), &mut lists)?;
     Check { path, options, budget, for_faces, lists, places, faces }.run()
 }
@@ -171,6 +173,7 @@ impl Check<'_> {
         }
         let Places { announced, streamed, joined_in_single, .. } = self.places;
         Ok(ExternalCheck {
+            is_welded: self.places.is_welded,
             file: streamed,
             stored: [announced.vertices, announced.faces],
             topology,

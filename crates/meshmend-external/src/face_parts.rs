@@ -83,7 +83,7 @@ impl FaceParts {
     ) -> Result<u64, ExternalError> {
         let (range, faces) = (self.range(part), (self.spill.len(part) / 4) as u64);
         if faces <= faces_a_part {
-            look(&Part::of(&self.spill.load(part)?, range)?)?;
+            look(&Part::of(self.spill.load(part)?, range))?;
             return Ok(0);
         }
         if range.1 - range.0 == 1 {
@@ -133,6 +133,13 @@ pub(crate) fn each_face<E>(
         numbers = after;
     }
     Ok(())
+}
+
+/// Whether the numbers of a part are those of triangles alone.
+pub(crate) fn are_triangles(numbers: &[u32]) -> bool {
+    let (faces, rest) = numbers.as_chunks::<4>();
+    // Up to the first face that is none, each has four numbers.
+    rest.is_empty() && faces.iter().all(|face| face[0] & POLYGON == 0)
 }
 
 /// How many of some numbers are those of whole faces.

@@ -3,13 +3,15 @@
 //! Vertices have new numbers in the same order, so that edges, which are numbered by their ends, are in the same order too. The
 //! star of every vertex in the part's range is whole; that of others need not be.
 
+use std::convert::Infallible;
 use std::ops::Range;
 
-use meshmend_core::{Complex, Connectivity, EdgeId, EdgeUse, FaceTable, FaceTableBuilder, Id, VertexId};
+use meshmend_core::{
+    Complex, Connectivity, EdgeId, EdgeUse, FaceId, FaceTable, FaceTableBuilder, Id, VertexId,
+};
 use rayon::prelude::*;
 
-use crate::error::ExternalError;
-use crate::face_parts::each_face;
+use crate::face_parts::{are_triangles, each_face};
 
 /// A part in memory.
 pub(crate) struct Part {
@@ -23,17 +25,21 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// The mesh of the faces that touch a range of vertices.
-    pub(crate) fn of(numbers: &[u32], range: (u32, u32)) -> Result<Self, ExternalError> {
-        let (mut faces, mut corners, mut ends) = (Vec::new(), Vec::new(), Vec::new());
-        let Ok(()) = each_face(numbers, |face, vertices| {
+    /// The mesh of the faces that touch a range of vertices, by the numbers of a part.
+    pub(crate) fn of(numbers: Vec<u32>, range: (u32, u32)) -> Self {
+        let is_triangles = are_triangles(&numbers);
+        let room = numbers.len() / 4;
+        let (mut faces, mut corners) = (Vec::with_capacity(room), Vec::with_capacity(3 * room));
+        let mut ends = Vec::new();
+        let Ok(()) = each_face(&numbers, |face, vertices| {
             faces.push(face);
             corners.extend_from_slice(vertices);
-            ends.push(corners.len() as u32);
-            Ok::<(), std::convert::Infallible>(())
+            if !is_triangles {
+                ends.push(corners.len());
+            }
+            Ok::<(), Infallible>(())
         });
-        let is_triangles =
-            corners.len() == 3 * faces.len() && (3..).step_by(3).zip(&ends).all(|(n, &end)| n == end);
+        drop(numbers);
         let (below, beyond) = renumber(&mut corners, range);
         let count = below.len() + (range.1 - range.0) as usize + beyond.len();
         let corners: Vec<VertexId> = corners.into_iter().map(VertexId).collect();
@@ -43,16 +49,15 @@ impl Part {
             let mut builder = FaceTableBuilder::default();
             let mut first = 0;
             for end in ends {
-                builder.push_face(corners[first as usize..end as usize].iter().copied());
+                builder.push_face(corners[first..end].iter().copied());
                 first = end;
             }
             builder.build(count)
         };
         // The vertices are below the count, and a part has fewer corners than a table holds.
         let table = table.unwrap_or_else(|_| FaceTable::empty(count));
-        let complex = Complex::of(&table.into());
-        let kernel = EdgeUse::assemble(&complex);
-        Ok(Part { kernel, faces, below, beyond, range })
+        let kernel = EdgeUse::assemble(&Complex::of(&table.into()));
+        Part { kernel, faces, below, beyond, range }
     }
 
     /// The first vertex of the range, and the one beyond its last.
@@ -78,8 +83,8 @@ impl Part {
 
     /// The number of a face.
     #[inline]
-    pub(crate) fn face(&self, here: meshmend_core::FaceId) -> meshmend_core::FaceId {
-        meshmend_core::FaceId(self.faces[here.index()])
+    pub(crate) fn face(&self, here: FaceId) -> FaceId {
+        FaceId(self.faces[here.index()])
     }
 
     /// The edges whose lower end is in the range.
@@ -108,10 +113,8 @@ fn renumber(corners: &mut [u32], (first, end): (u32, u32)) -> (Vec<u32>, Vec<u32
     outside.par_sort_unstable();
     let split = outside.partition_point(|&pair| (pair >> 32) < u64::from(first));
     let different = |pairs: &[u64]| {
-        let mut vertices: Vec<u32> = pairs.iter().map(|pair| (pair >> 32) as u32).collect();
-        vertices.dedup();
-        vertices.shrink_to_fit();
-        vertices
+        let runs = pairs.chunk_by(|one, other| one >> 32 == other >> 32);
+        runs.map(|run| (run[0] >> 32) as u32).collect::<Vec<u32>>()
     };
     let (below, beyond) = (different(&outside[..split]), different(&outside[split..]));
     let own = below.len() as u32;
@@ -132,8 +135,8 @@ mod tests {
 
     #[test]
     fn numbers_keep_their_order_and_come_back() {
-        let numbers = [5, 9, 3, 70, 7, 4, 1, 9, 8, 1, 30, 5];
-        let part = Part::of(&numbers, (4, 7)).unwrap();
+        let numbers = vec![5, 9, 3, 70, 7, 4, 1, 9, 8, 1, 30, 5];
+        let part = Part::of(numbers, (4, 7));
         assert_eq!(part.own(), 2..5);
         let all: Vec<u32> =
             (0..part.kernel.vertex_count() as u32).map(|v| part.vertex(VertexId(v)).0).collect();

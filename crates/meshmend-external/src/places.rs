@@ -32,13 +32,15 @@ pub(crate) struct Places {
     pub(crate) joined_in_single: u64,
     /// How many bytes were written to disk.
     pub(crate) written: u64,
+    /// Whether vertices at one place are one in the view.
+    pub(crate) is_welded: bool,
 }
 
 /// Reads the positions of a file, and finds those that are equal. In a view as stored they are listed.
 pub(crate) fn places(
     path: &Path,
     read: &ReadOptions,
-    is_welded: bool,
+    is_welded: Option<bool>,
     budget: &Budget<'_>,
     lists: &mut Lists,
 ) -> Result<Places, ExternalError> {
@@ -47,6 +49,7 @@ pub(crate) fn places(
     let Positions { spill, announced, infinite, .. } = sink;
     let (Some(spill), Some(announced)) = (spill, announced) else { return Err(Cancelled.into()) };
     let count = announced.vertices;
+    let is_welded = is_welded.unwrap_or(!announced.format.has_indices());
     let mut found = Equal {
         roots: is_welded.then(|| RankedSet::full(count as usize)),
         joined: None,
@@ -80,7 +83,7 @@ pub(crate) fn places(
             ));
         });
     }
-    Ok(Places { announced, streamed, vertices, vertex_count, infinite, joined_in_single, written })
+    Ok(Places { announced, streamed, vertices, vertex_count, infinite, joined_in_single, written, is_welded })
 }
 
 fn look(watch: &Watch, done: usize, total: usize) -> Result<(), Cancelled> {

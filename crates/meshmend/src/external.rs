@@ -43,7 +43,7 @@ pub fn check_external(
     kernels: Kernels,
 ) -> Result<ExternalReport, ExternalError> {
     let found = external_check(path, options)?;
-    let view = if options.is_welded { View::Welded(Distance::Exact) } else { View::Indexed };
+    let view = if found.is_welded { View::Welded(Distance::Exact) } else { View::Indexed };
     let mut report = ExternalReport { view, found, kernels: Vec::new(), asked: Vec::new() };
     let count = |kind| report.count(kind);
     report.kernels = kernels.all().map(|kernel| KernelVerdict::of(kernel, count)).collect();

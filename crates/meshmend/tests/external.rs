@@ -51,9 +51,9 @@ fn in_memory(path: &Path, view: View) -> String {
     json(&CheckDocument::new(report, LIMIT).of_file(path.display().to_string(), &file)).unwrap()
 }
 
-fn options(is_welded: bool, parts: Option<usize>) -> ExternalOptions {
+fn options(is_welded: impl Into<Option<bool>>, parts: Option<usize>) -> ExternalOptions {
     let mut options = ExternalOptions::within(1 << 30);
-    (options.is_welded, options.limit, options.parts) = (is_welded, LIMIT, parts);
+    (options.is_welded, options.limit, options.parts) = (is_welded.into(), LIMIT, parts);
     options
 }
 

@@ -6,7 +6,7 @@ use clap::Args;
 use meshmend::passes::Advice;
 use meshmend::report::AdviceDocument;
 
-use super::check::json_line;
+use super::checked_file::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;

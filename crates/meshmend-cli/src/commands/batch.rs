@@ -165,7 +165,7 @@ impl Batch {
         if let Some(html) = &self.html {
             all.page(rules, &files).write(html, console)?;
         }
-        let text = if self.json { super::check::json_line(&counts)? } else { told(&counts) };
+        let text = if self.json { super::checked_file::json_line(&counts)? } else { told(&counts) };
         console.write(&text)?;
         Ok(if counts.failed() > 0 { Status::Failing } else { Status::Done })
     }

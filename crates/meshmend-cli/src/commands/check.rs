@@ -1,18 +1,19 @@
 //! `meshmend check`: what a mesh is, and what is wrong with it and where.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use meshmend::files::{FaceNames, PartChoice};
-use meshmend::formats::{Document, ElementLines, Part};
-use meshmend::report::{CheckDocument, Listing, PartsDocument, Sarif, json, placing_elements};
+use meshmend::formats::{Document, Part};
+use meshmend::report::{CheckDocument, Listing, Sarif};
 use meshmend::topology::Witness;
 use meshmend::{CheckOptions, CheckReport, DefectKind, View, check, check_by_name};
 
 #[cfg(feature = "report")]
 use meshmend_report::EntryOptions;
 
+use super::check_external::MemoryWords;
+use super::checked_file::{CheckedFile, json_line};
 use crate::Program;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
@@ -51,6 +52,8 @@ pub(crate) struct Check {
     kernel: String,
     #[command(flatten)]
     geometry: GeometryWords,
+    #[command(flatten)]
+    memory: MemoryWords,
     /// Which strip of faces shows that a patch is not orientable
     #[arg(long, value_enum, default_value_t = WitnessWord::BreadthFirst)]
     witness: WitnessWord,
@@ -103,6 +106,9 @@ impl Check {
             .with_witness(self.witness.into())
             .with_rules(program.rules);
         let geometry = self.geometry.options(&fail_on, self.limit)?;
+        if geometry.is_some() || program.rules.own().next().is_some() {
+            self.memory.refuse("where faces lie, and kinds of defect of one's own, take a mesh in memory")?;
+        }
         let options = options.with_geometry(geometry);
         let asked = Asked { options, fail_on };
         #[cfg(feature = "report")]
@@ -175,7 +181,8 @@ impl Check {
     fn add_to_page(&self, file: &Path, checked: &CheckedFile, page: &mut PageFile) -> Result<(), Failure> {
         let limit = self.limit.max(USUAL_LIMIT);
         for ((number, _), whole) in checked.reports.iter().zip(&checked.whole) {
-            page.add_part((file, &checked.document, *number), whole.as_ref(), limit)?;
+            let Some(document) = &checked.document else { continue };
+            page.add_part((file, document, *number), whole.as_ref(), limit)?;
         }
         Ok(())
     }
@@ -187,6 +194,10 @@ impl Check {
         asked: &Asked,
         console: &mut Console<'_>,
     ) -> Result<CheckedFile, Failure> {
+        if let Some(memory) = &self.memory.memory {
+            let limits = (*memory, self.limit);
+            return self.memory.check(path, (self.from, self.weld, limits), asked, console);
+        }
         let progress = console.progress(2);
         progress.step(&format!("read {}", name(path)));
         let mut document = self.from.read_to_weld(path, console)?;
@@ -222,7 +233,7 @@ impl Check {
         }
         Ok(CheckedFile {
             name: name(path),
-            document,
+            document: Some(document),
             reports,
             #[cfg(feature = "report")]
             whole,
@@ -257,7 +268,7 @@ impl Check {
         }
         Ok(CheckedFile {
             name,
-            document,
+            document: Some(document),
             reports: kept,
             #[cfg(feature = "report")]
             whole: Vec::new(),
@@ -267,89 +278,23 @@ impl Check {
 
     fn text(&self, checked: &CheckedFile, console: &Console<'_>) -> Result<String, Failure> {
         match (&checked.reports[..], self.json) {
-            ([(0, Some(report))], true) if checked.document.is_whole() => {
-                json_line(&checked.of_file(0, report))
-            }
+            ([(0, Some(report))], true) if checked.is_whole() => json_line(&checked.of_file(0, report)),
             (_, true) => json_line(&checked.parts_document()?),
             ([(part, Some(report))], false) => {
                 Ok(render::check(&checked.of_file(*part, report), console.style()))
             }
-            (_, false) => Ok(render::checked_parts(checked, console.style())),
-        }
-    }
-}
-
-/// The reports on the parts of a file.
-pub(crate) struct CheckedFile {
-    /// What the file is called.
-    pub(crate) name: String,
-    /// The file.
-    pub(crate) document: Document,
-    /// The parts that were asked for, by number. A sealed part has no report.
-    pub(crate) reports: Vec<(usize, Option<CheckDocument>)>,
-    /// The reports that these are of, if a page is to have them.
-    #[cfg(feature = "report")]
-    whole: Vec<Option<CheckReport>>,
-    /// Whether one of them fails the check.
-    status: Status,
-}
-
-impl CheckedFile {
-    /// The report on a part, with what is known of the file.
-    fn of_file(&self, part: usize, report: &CheckDocument) -> CheckDocument {
-        let Document { variant, notes, .. } = &self.document;
-        let title = || format!("{}, {}", self.name, self.document.parts[part].title());
-        let name = if self.document.is_whole() { self.name.clone() } else { title() };
-        CheckDocument { file: Some(name), format: Some(variant), notes: notes.clone(), ..report.clone() }
-    }
-
-    /// Adds its reports to a document on several files. The lines of listed elements are looked for in the file, where it is one.
-    fn add_to(&self, sarif: &mut Sarif, path: &Path) {
-        let text = if is_stream(path) { Vec::new() } else { fs::read(path).unwrap_or_default() };
-        for (number, report) in &self.reports {
-            let Some(report) = report else { continue };
-            let part = &self.document.parts[*number];
-            let is_whole = self.document.is_whole();
-            let lines = if is_whole {
-                let (vertices, faces) = placing_elements(report);
-                let counts = part.mesh.counts();
-                let counts = (counts.vertices, counts.faces);
-                ElementLines::find(&text, self.document.format, counts, (&vertices, &faces))
-            } else {
-                ElementLines::default()
-            };
-            let title = (!is_whole).then(|| part.title());
-            sarif.add(&self.name, title.as_deref(), report, &lines);
-        }
-    }
-
-    fn into_reports(self) -> Vec<CheckDocument> {
-        let reports = self.reports.iter().filter_map(|(part, report)| Some((*part, report.as_ref()?)));
-        reports.map(|(part, report)| self.of_file(part, report)).collect()
-    }
-
-    /// All reports as one document.
-    fn parts_document(&self) -> Result<PartsDocument, Failure> {
-        let failed = |error| Failure::unwritable("report", error);
-        let mut together = PartsDocument::default();
-        for (number, report) in &self.reports {
-            let part = &self.document.parts[*number];
-            match report {
-                Some(report) => together.add(*number, part, report).map_err(failed)?,
-                None => together.add_without(*number, part, "sealed", part.seal().unwrap_or_default()),
+            (_, false) => {
+                let parts = |document| render::checked_parts(checked, document, console.style());
+                Ok(checked.document.as_ref().map(parts).unwrap_or_default())
             }
         }
-        together.say("file", &self.name).map_err(failed)?;
-        together.say("format", &self.document.variant).map_err(failed)?;
-        together.say("notes", &self.document.notes).map_err(failed)?;
-        Ok(together)
     }
 }
 
 /// How it is looked, and what of what is found fails a check beside what always does.
-struct Asked {
-    options: CheckOptions,
-    fail_on: Vec<DefectKind>,
+pub(super) struct Asked {
+    pub(super) options: CheckOptions,
+    pub(super) fail_on: Vec<DefectKind>,
 }
 
 impl Asked {
@@ -367,10 +312,4 @@ impl Asked {
 pub(super) fn status_of(report: &CheckReport, fail_on: &[DefectKind]) -> Status {
     let is_failing = !report.is_sound() || fail_on.iter().any(|&kind| report.count(kind) > 0);
     if is_failing { Status::Failing } else { Status::Done }
-}
-
-/// A document as one line.
-pub(crate) fn json_line(document: &impl serde::Serialize) -> Result<String, Failure> {
-    let text = json(document).map_err(|error| Failure::unwritable("report", error))?;
-    Ok(text + "\n")
 }

@@ -7,7 +7,7 @@ use meshmend::cutting::CutAlong;
 use meshmend::report::CutDocument;
 use meshmend::{CutOptions, View, cut};
 
-use super::check::json_line;
+use super::checked_file::json_line;
 use super::loops::{LoopWords, failure};
 use crate::console::Console;
 use crate::failure::{Failure, Status};

@@ -7,7 +7,7 @@ use meshmend::flatten::{Boundary, Flatten as Request, Weights, svg};
 use meshmend::report::UnfoldDocument;
 use meshmend::{UnfoldError, UnfoldOptions, Unfolded, View, unfold};
 
-use super::check::json_line;
+use super::checked_file::json_line;
 use super::loops;
 use crate::console::Console;
 use crate::failure::{Failure, Status};

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use meshmend::report::IncrementalDocument;
 
-use super::check::json_line;
+use super::checked_file::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;

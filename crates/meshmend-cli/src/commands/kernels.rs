@@ -9,7 +9,7 @@ use meshmend::mesh::Complex;
 use meshmend::report::{KernelTrial, KernelsDocument};
 use meshmend::{AnyKernel, AnyView, Format, Kernels, PolygonMesh};
 
-use super::check::json_line;
+use super::checked_file::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;

@@ -9,7 +9,7 @@ use meshmend::report::LoopsDocument;
 use meshmend::topology::{CoTree, GeneratorError, Measure, Roots};
 use meshmend::{LoopError, LoopOptions, PathOptions, VertexId, View, loops};
 
-use super::check::json_line;
+use super::checked_file::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::render;

@@ -8,7 +8,7 @@ use meshmend::mesh::Cell;
 use meshmend::report::MatrixDocument;
 use meshmend::{Format, MatrixAnswers, MatrixError, MatrixQuestions, Neighbourhood, VertexId};
 
-use super::check::json_line;
+use super::checked_file::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;

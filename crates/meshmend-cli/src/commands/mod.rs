@@ -3,6 +3,8 @@
 mod advise;
 mod batch;
 mod check;
+mod check_external;
+mod checked_file;
 #[cfg(feature = "completions")]
 mod completions;
 mod convert;
@@ -28,7 +30,7 @@ mod repair;
 mod report;
 mod worker;
 
-pub(crate) use check::{CheckedFile, json_line};
+pub(crate) use checked_file::{CheckedFile, json_line};
 
 use std::path::PathBuf;
 use std::slice;

@@ -10,7 +10,7 @@ use meshmend::maps::MapsFile;
 use meshmend::report::{RepairDocument, Sarif};
 use meshmend::{Plan, Rules};
 
-use super::check::json_line;
+use super::checked_file::json_line;
 use crate::console::Console;
 use crate::failure::{Failure, Status};
 use crate::format_words;

@@ -145,6 +145,7 @@ fn reason(reason: Reason) -> &'static str {
         Reason::NoOrientableComponent => "not defined: no component is orientable",
         Reason::NoNonOrientableComponent => "not defined: every component is orientable",
         Reason::EliminationBudget | Reason::SearchBudget => "not computed: it would take too long",
+        Reason::BeyondMemory => "not computed: it would take more memory than --memory allows",
     }
 }
 

@@ -1,6 +1,7 @@
 //! Reports on files of several parts: a line each.
 
 use meshmend::files::{PartOutcome, RepairedParts};
+use meshmend::formats::Document;
 use meshmend::mesh::counted;
 use meshmend::report::CheckDocument;
 use meshmend::{Note, Severity};
@@ -12,8 +13,7 @@ use super::{Style, kinds_with_counts, paragraph, printable};
 use crate::commands::CheckedFile;
 
 /// The reports on the parts of a file, a line each.
-pub(crate) fn checked_parts(checked: &CheckedFile, style: Style) -> String {
-    let document = &checked.document;
+pub(crate) fn checked_parts(checked: &CheckedFile, document: &Document, style: Style) -> String {
     let sealed = checked.reports.iter().filter(|(_, report)| report.is_none()).count();
     let mut heading = vec![document.variant.to_owned(), counted(checked.reports.len(), "part")];
     heading.extend((sealed > 0).then(|| format!("{sealed} sealed")));

@@ -26,6 +26,8 @@ pub trait MeshSink: Send {
 /// What a file says that it holds. Its length bears it out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Announced {
+    /// In which format.
+    pub format: Format,
     /// How many vertices.
     pub vertices: u64,
     /// How many faces.

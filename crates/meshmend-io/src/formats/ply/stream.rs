@@ -19,7 +19,7 @@ use crate::input::indices::MaxIndex;
 use crate::input::notes::Notes;
 use crate::input::source::Source;
 use crate::input::streamed::{Announced, MeshSink, Rows};
-use crate::{Encoding, Limits, Place, ReadError};
+use crate::{Encoding, Format, Limits, Place, ReadError};
 
 /// Hands over the vertices and faces of a file. `None`, having read nothing, if its values are text, it has strips, or its header is
 /// longer than what is in memory.
@@ -109,7 +109,14 @@ impl Streamer<'_> {
             is_axis && matches!(property.item, Scalar::F64 | Scalar::I32 | Scalar::U32)
         };
         let is_single = element("vertex").is_none_or(|vertex| !vertex.properties.iter().any(is_wide));
-        let announced = Announced { vertices: self.vertex_count, faces, corners, is_single, is_soup: false };
+        let announced = Announced {
+            format: Format::Ply,
+            vertices: self.vertex_count,
+            faces,
+            corners,
+            is_single,
+            is_soup: false,
+        };
         self.sink.begin(&announced).map_err(|stopped| source.cancelled(stopped))
     }
 

@@ -54,7 +54,8 @@ pub(super) fn stream(
     let count = checked_count(source, limits)?;
     let cancelled = |stopped| source.cancelled(stopped);
     let (faces, vertices) = (count as u64, 3 * count as u64);
-    let announced = Announced { vertices, faces, corners: vertices, is_single: true, is_soup: true };
+    let announced =
+        Announced { format: Format::Stl, vertices, faces, corners: vertices, is_single: true, is_soup: true };
     sink.begin(&announced).map_err(cancelled)?;
     let mut counted = VertexNotes::default();
     let mut notes = each_facet(source, rest, count, |face, corners, _| {
