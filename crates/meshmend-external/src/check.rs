@@ -83,7 +83,7 @@ pub struct ExternalCheck {
 /// When the file can't be read row by row, the disk is full, or the memory is less than the mesh takes: 4.3 bytes a face, or 4.5
 /// a vertex.
 ///
-/// *Cost*: the file is read five times, and each face written once for each part in which it has a vertex, as 16 bytes; a welded
+/// *Cost*: the faces of the file are read twice, once more where patches are not orientable, and its positions three times, and each face written once for each part in which it has a vertex, as 16 bytes; a welded
 /// view writes 16 bytes a vertex (28 in double precision) besides. Sorting, else near-linear time.
 pub fn external_check(path: &Path, options: &ExternalOptions) -> Result<ExternalCheck, ExternalError> {
     let ExternalOptions { memory, folder, is_welded, limit, read, parts } = options;
@@ -171,10 +171,10 @@ impl Check<'_> {
                 *first = strips;
             }
         }
-        let Places { announced, streamed, joined_in_single, .. } = self.places;
+        let Places { announced, joined_in_single, .. } = self.places;
         Ok(ExternalCheck {
             is_welded: self.places.is_welded,
-            file: streamed,
+            file: self.faces.streamed,
             stored: [announced.vertices, announced.faces],
             topology,
             defects,
@@ -185,7 +185,7 @@ impl Check<'_> {
     }
 
     fn list_loose_edges(&mut self) -> Result<(), ExternalError> {
-        let edges = std::mem::take(&mut self.places.streamed.loose_edges);
+        let edges = std::mem::take(&mut self.faces.streamed.loose_edges);
         for (index, ends) in (0..).zip(&edges) {
             let mut here = *ends;
             for end in &mut here {
@@ -193,7 +193,7 @@ impl Check<'_> {
             }
             self.lists.add(Defect::new(DefectKind::LooseEdge, Element::LooseEdge { index, ends: here }));
         }
-        self.places.streamed.loose_edges = edges;
+        self.faces.streamed.loose_edges = edges;
         Ok(())
     }
 

@@ -226,6 +226,9 @@ fn positions(
             self.next = end;
             Ok(())
         }
+        fn has_all(&self) -> bool {
+            self.found.len() == self.stored.len()
+        }
     }
     let mut sink = Chosen { stored, next: 0, found: Vec::new() };
     read_rows(path, read, &mut sink)?;

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use fixedbitset::FixedBitSet;
-use meshmend_core::{Classes, Defect, FaceId, VertexId, normalised};
-use meshmend_io::ReadOptions;
+use meshmend_core::{Cancelled, Classes, Defect, FaceId, VertexId, normalised};
+use meshmend_io::{ReadOptions, Streamed};
 use meshmend_topology::FaceShapes;
 
 use crate::budget::{Budget, FaceBudget};
@@ -18,6 +18,8 @@ use crate::spill::Spill;
 
 /// The faces of a mesh in parts, and its components.
 pub(crate) struct Faces {
+    /// What there is to say about the file.
+    pub(crate) streamed: Streamed,
     pub(crate) parts: FaceParts,
     /// How many faces are proper.
     pub(crate) proper: u64,
@@ -52,13 +54,13 @@ pub(crate) fn faces(
         face: Vec::new(),
         normal: Vec::new(),
     };
-    read_rows(path, read, &mut sink)?;
+    let streamed = read_rows(path, read, &mut sink)?.ok_or(Cancelled)?;
     let FaceSink { mut components, is_referenced, parts, proper, .. } = sink;
     let mut labels = budget.spill(parts.spill.part_count())?;
     let components = number(&mut components, &is_referenced, |vertex, label| {
         labels.push(parts.part_of(vertex), &[label])
     })?;
-    Ok(Faces { parts, proper, components, labels })
+    Ok(Faces { streamed, parts, proper, components, labels })
 }
 
 /// Numbers the components by lowest vertex, and hands over that of each vertex.

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use fixedbitset::FixedBitSet;
 use meshmend_core::{Cancelled, Defect, DefectKind, VertexId, Watch};
-use meshmend_io::{Announced, ReadOptions, Streamed};
+use meshmend_io::{Announced, ReadOptions};
 
 use crate::budget::Budget;
 use crate::error::ExternalError;
@@ -19,9 +19,8 @@ use crate::spill::Spill;
 
 /// What the positions of a file say.
 pub(crate) struct Places {
-    /// The file: what it holds, and what there is to say about it.
+    /// What the file holds.
     pub(crate) announced: Announced,
-    pub(crate) streamed: Streamed,
     /// The vertices of the view, by those as stored.
     pub(crate) vertices: VertexMap,
     /// How many vertices the view has.
@@ -45,7 +44,7 @@ pub(crate) fn places(
     lists: &mut Lists,
 ) -> Result<Places, ExternalError> {
     let mut sink = Positions { budget, spill: None, announced: None, next: 0, infinite: None };
-    let streamed = read_rows(path, read, &mut sink)?;
+    read_rows(path, read, &mut sink)?;
     let Positions { spill, announced, infinite, .. } = sink;
     let (Some(spill), Some(announced)) = (spill, announced) else { return Err(Cancelled.into()) };
     let count = announced.vertices;
@@ -83,7 +82,7 @@ pub(crate) fn places(
             ));
         });
     }
-    Ok(Places { announced, streamed, vertices, vertex_count, infinite, joined_in_single, written, is_welded })
+    Ok(Places { announced, vertices, vertex_count, infinite, joined_in_single, written, is_welded })
 }
 
 fn look(watch: &Watch, done: usize, total: usize) -> Result<(), Cancelled> {
@@ -132,6 +131,10 @@ impl Rows for Positions<'_> {
             }
         }
         Ok(())
+    }
+
+    fn has_all(&self) -> bool {
+        self.announced.is_some_and(|announced| u64::from(self.next) == announced.vertices)
     }
 }
 

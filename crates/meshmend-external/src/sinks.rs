@@ -20,19 +20,25 @@ pub(crate) trait Rows: Send {
     fn take_face(&mut self, _: &[VertexId]) -> Result<(), ExternalError> {
         Ok(())
     }
+
+    /// Whether all is known after the vertices that came, so that the rest of the file need not be read.
+    fn has_all(&self) -> bool {
+        false
+    }
 }
 
-/// Hands the rows of a file to somebody, and returns what there is to say about the file.
+/// Hands the rows of a file to somebody. Returns what there is to say about the file, if it was read to its end.
 pub(crate) fn read_rows(
     path: &Path,
     read: &ReadOptions,
     rows: &mut impl Rows,
-) -> Result<Streamed, ExternalError> {
-    let mut sink = Sink { rows, stopped: None };
+) -> Result<Option<Streamed>, ExternalError> {
+    let mut sink = Sink { rows, stopped: None, has_all: false };
     let streamed = stream(path, read, &mut sink);
     match sink.stopped {
         Some(error) => Err(error),
-        None => Ok(streamed?),
+        None if sink.has_all => Ok(None),
+        None => Ok(Some(streamed?)),
     }
 }
 
@@ -40,6 +46,7 @@ pub(crate) fn read_rows(
 struct Sink<'r, R> {
     rows: &'r mut R,
     stopped: Option<ExternalError>,
+    has_all: bool,
 }
 
 impl<R> Sink<'_, R> {
@@ -56,7 +63,9 @@ impl<R: Rows> MeshSink for Sink<'_, R> {
     }
 
     fn vertices(&mut self, positions: &[[f64; 3]]) -> Result<(), Cancelled> {
-        self.rows.take_vertices(positions).map_err(|error| self.stop(error))
+        self.rows.take_vertices(positions).map_err(|error| self.stop(error))?;
+        self.has_all = self.rows.has_all();
+        if self.has_all { Err(Cancelled) } else { Ok(()) }
     }
 
     #[inline]
