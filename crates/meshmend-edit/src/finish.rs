@@ -51,7 +51,7 @@ impl Editor {
         }
         self.mesh.rebuild(Draft {
             vertex_sources,
-            kept_positions: has_moved.then_some(positions),
+            kept_positions: has_moved.then(|| positions.into()),
             created_vertices: created,
             created_corners: faces.created_corners,
             ..Draft::of_faces(&self.mesh, faces.table, faces.sources, faces.corner_sources)

@@ -4,6 +4,7 @@
 //! again in the whole, unless a repair made several of it within one part.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use meshmend_core::{
     Blend, CornerId, Domain, Draft, DraftError, FaceId, FaceTableBuilder, Id, Layer, Loose, PolygonMesh,
@@ -221,7 +222,7 @@ impl<'a> Join<'a> {
         let face_sources = Sources::listed(faces.sources);
         Ok(Draft {
             vertex_sources,
-            kept_positions: Some(all().map(|(_, point)| point).collect()),
+            kept_positions: Some(Arc::new(all().map(|(_, point)| point).collect())),
             flipped: faces.flipped,
             created_corners: faces.created_corners,
             created_vertices: self.created,

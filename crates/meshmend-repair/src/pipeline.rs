@@ -252,10 +252,11 @@ impl Pipeline {
         let has_faces = session.stored().counts().faces > 0;
         session.reach_to(self.tolerance_after_split(session.mesh()));
         for pass in passes {
-            if has_faces || pass.kind() == PassKind::Verify {
-                session.apply(pass.clone())?;
-            } else {
+            let is_idle = !has_faces && pass.kind() != PassKind::Verify;
+            if is_idle || session.is_spared(pass) {
                 session.skip(pass)?;
+            } else {
+                session.apply(pass.clone())?;
             }
             if let AnyPass::Heal(heal) = pass {
                 self.heal_further(heal, session)?;

@@ -4,6 +4,8 @@
 //! [`PolygonMesh::rebuild`] makes the mesh, carries all attributes and loose elements along, and returns the
 //! [`Provenance`], so that no pass has attribute code and no record can differ from what was done.
 
+use std::sync::Arc;
+
 use thiserror::Error;
 
 use crate::{
@@ -34,7 +36,7 @@ pub struct Draft {
     /// For each new vertex the old one whose place and attributes it has. The created ones come last.
     pub vertex_sources: Sources<VertexId>,
     /// Where the kept vertices are, if not all of them are where their sources are.
-    pub kept_positions: Option<Vec<[f64; 3]>>,
+    pub kept_positions: Option<Arc<Vec<[f64; 3]>>>,
     /// The created vertices, in order.
     pub created_vertices: Vec<VertexDraft>,
     /// The created corners with the old corners that they lie between, ascending.

@@ -1,6 +1,9 @@
 //! The one place that makes the mesh that a draft describes.
 
+use std::sync::Arc;
+
 use super::anchors;
+use crate::polygon_mesh::points::Points;
 use crate::{Counts, Draft, DraftError, Id, PolygonMesh, Provenance, VertexId};
 
 impl PolygonMesh {
@@ -13,9 +16,9 @@ impl PolygonMesh {
     /// When the draft does not fit this mesh; that is a mistake of the pass that made it.
     ///
     /// *Cost*: linear in the new elements and the layers.
-    pub fn rebuild(&self, draft: Draft) -> Result<(PolygonMesh, Provenance), DraftError> {
+    pub fn rebuild(&self, mut draft: Draft) -> Result<(PolygonMesh, Provenance), DraftError> {
         check_counts(&draft)?;
-        let positions = self.draft_positions(&draft);
+        let positions = self.draft_positions(&mut draft);
         let (edges, points) = self.draft_loose(&draft)?;
         let layers = self.carried_layers(&draft);
         let metadata = anchors::carried(self.metadata(), &draft);
@@ -30,18 +33,19 @@ impl PolygonMesh {
             created: places.map(|(i, v)| (VertexId::new(kept + i), v.place)).collect(),
         };
         let mesh =
-            PolygonMesh::new(positions, draft.faces)?.with_loose(edges, points)?.with_layers(layers)?;
+            PolygonMesh::of_points(positions, draft.faces)?.with_loose(edges, points)?.with_layers(layers)?;
         Ok((mesh.with_metadata(metadata), provenance))
     }
 
-    fn draft_positions(&self, draft: &Draft) -> Vec<[f64; 3]> {
-        let mut positions = match &draft.kept_positions {
-            Some(kept) => kept.clone(),
+    fn draft_positions(&self, draft: &mut Draft) -> Points {
+        let mut positions = match draft.kept_positions.take() {
+            Some(kept) if draft.created_vertices.is_empty() => return kept.into(),
+            Some(kept) => Arc::unwrap_or_clone(kept),
             None if draft.vertex_sources.is_same() => self.positions()[..draft.vertex_sources.len()].to_vec(),
             None => draft.vertex_sources.iter().filter_map(|(_, old)| Some(self.position(old?))).collect(),
         };
         positions.extend(draft.created_vertices.iter().map(|v| v.position));
-        positions
+        positions.into()
     }
 
     fn draft_loose(&self, draft: &Draft) -> Result<(Vec<[VertexId; 2]>, Vec<VertexId>), DraftError> {
@@ -76,7 +80,7 @@ fn check_counts(draft: &Draft) -> Result<(), DraftError> {
         ("corner source", draft.corner_sources.len(), faces.corner_count()),
         ("vertex source", draft.vertex_sources.len(), faces.vertex_count()),
         ("created vertex", draft.created_vertices.len(), created),
-        ("kept position", draft.kept_positions.as_ref().map_or(kept, Vec::len), kept),
+        ("kept position", draft.kept_positions.as_ref().map_or(kept, |kept| kept.len()), kept),
     ];
     match needed.into_iter().find(|(_, found, expected)| found != expected) {
         Some((what, found, expected)) => Err(DraftError::Count { what, found, expected }),

@@ -111,6 +111,16 @@ impl Complex {
         Arc::clone(self.edges.get_or_init(|| Arc::new(EdgeTable::build(&self.faces))))
     }
 
+    /// The corners of each vertex, grouped if nobody has asked for them before, and not kept.
+    pub(crate) fn vertex_corners_for_now(&self) -> Arc<VertexCorners> {
+        self.vertex_corners.get().cloned().unwrap_or_else(|| Arc::new(VertexCorners::build(&self.faces)))
+    }
+
+    /// Keeps the corners of each vertex for whoever asks next.
+    pub(crate) fn keep_vertex_corners(&self, corners: Arc<VertexCorners>) {
+        self.vertex_corners.get_or_init(|| corners);
+    }
+
     /// The corners of each vertex, to be shared; grouped when first asked for.
     pub(crate) fn shared_vertex_corners(&self) -> Arc<VertexCorners> {
         Arc::clone(self.vertex_corners.get_or_init(|| Arc::new(VertexCorners::build(&self.faces))))

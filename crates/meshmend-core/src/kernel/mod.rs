@@ -10,6 +10,7 @@ mod edge_use;
 mod grouped;
 mod ladder;
 mod lesson;
+mod oriented_surface;
 mod pointers;
 mod stars;
 mod task;

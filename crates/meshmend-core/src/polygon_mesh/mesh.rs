@@ -42,7 +42,7 @@ impl PolygonMesh {
         Self::of_points(places.into(), faces)
     }
 
-    fn of_points(positions: Points, faces: FaceTable) -> Result<Self, MeshError> {
+    pub(crate) fn of_points(positions: Points, faces: FaceTable) -> Result<Self, MeshError> {
         if faces.vertex_count() != positions.len() {
             return Err(MeshError::VertexCount { faces: faces.vertex_count(), positions: positions.len() });
         }

@@ -5,7 +5,7 @@ mod counts;
 mod error;
 mod mesh;
 mod metadata;
-mod points;
+pub(crate) mod points;
 
 pub use arrays::MeshArrays;
 pub use counts::Counts;

@@ -36,6 +36,11 @@ impl SharedPlaces {
         &self.points
     }
 
+    /// The points, to be shared.
+    pub fn shared_points(&self) -> Arc<Vec<[f64; 3]>> {
+        Arc::clone(&self.points)
+    }
+
     /// For each vertex the number of its point: the vertex that it is once they are welded.
     pub fn of_vertex(&self) -> &[VertexId] {
         &self.of_vertex
@@ -66,15 +71,15 @@ impl SharedPlaces {
 
 /// The points of all vertices of a mesh.
 #[derive(Clone, Debug)]
-pub(super) struct Points {
+pub(crate) struct Points {
     shared: Option<SharedPlaces>,
     /// That of each vertex; of places that are shared it is listed when that is first asked for.
-    each: OnceLock<Vec<[f64; 3]>>,
+    each: OnceLock<Arc<Vec<[f64; 3]>>>,
 }
 
 impl Points {
     pub(super) fn each(&self) -> &[[f64; 3]] {
-        self.each.get_or_init(|| self.shared.as_ref().map(SharedPlaces::of_each).unwrap_or_default())
+        self.each.get_or_init(|| self.shared.as_ref().map(SharedPlaces::of_each).unwrap_or_default().into())
     }
 
     pub(super) fn shared(&self) -> Option<&SharedPlaces> {
@@ -94,9 +99,15 @@ impl Points {
     }
 }
 
+impl From<Arc<Vec<[f64; 3]>>> for Points {
+    fn from(points: Arc<Vec<[f64; 3]>>) -> Self {
+        Points { shared: None, each: OnceLock::from(points) }
+    }
+}
+
 impl From<Vec<[f64; 3]>> for Points {
     fn from(points: Vec<[f64; 3]>) -> Self {
-        Points { shared: None, each: OnceLock::from(points) }
+        Arc::new(points).into()
     }
 }
 

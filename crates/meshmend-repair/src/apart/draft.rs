@@ -23,7 +23,7 @@ pub(crate) fn draft(mesh: &PolygonMesh, new: NewVertices, inserted: Inserted) ->
     let face_sources = Sources::same(mesh.faces().face_count());
     Ok(Draft {
         vertex_sources: Sources::listed(sources),
-        kept_positions: Some(positions),
+        kept_positions: Some(positions.into()),
         created_vertices: inserted.vertices,
         created_corners: faces.created_corners,
         ..Draft::of_faces(mesh, faces.faces, face_sources, faces.corner_sources)

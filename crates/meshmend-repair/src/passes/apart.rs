@@ -79,7 +79,7 @@ impl Pass for KeepApart {
         }
         let (faces, counts) = (mesh.faces(), mesh.counts());
         let draft = Draft {
-            kept_positions: Some(positions),
+            kept_positions: Some(positions.into()),
             ..Draft::of_faces(mesh, faces.clone(), Sources::same(counts.faces), Sources::same(counts.corners))
         };
         Ok(Outcome { apart, ..Outcome::changed(mesh.rebuild(draft)?, Vec::new()) })

@@ -125,11 +125,10 @@ impl FaceStorage {
             return self.is_read_again(read, mesh);
         }
         let corners = read.counts().corners;
-        let ranges = |mesh: &PolygonMesh| -> Vec<_> {
-            mesh.faces().faces().map(|face| mesh.faces().corner_range(face)).collect()
-        };
+        let same_range = |face| read.faces().corner_range(face) == mesh.faces().corner_range(face);
         Ok(corners == mesh.counts().corners
-            && ranges(read) == ranges(mesh)
+            && read.counts().faces == mesh.counts().faces
+            && read.faces().faces().all(same_range)
             && are_in_place(corners, |at| [read, mesh].map(|mesh| point(mesh, CornerId::new(at)))))
     }
 }

@@ -201,3 +201,54 @@ fn a_coordinate_that_is_no_number_is_told() {
     let report = topology(&EdgeUse::build(mesh.complex()).unwrap(), &mesh);
     assert_eq!(report.non_finite_vertices, 1);
 }
+
+/// Told without a table of edges, and by the report.
+#[track_caller]
+fn assert_oriented_surface_is_told(vertices: u32, faces: &[&[u32]]) -> bool {
+    let mesh = crate::shapes::mesh(vertices, faces);
+    let report = topology(&EdgeUse::build(mesh.complex()).unwrap(), &mesh);
+    let repeats = report.duplicate_faces.same + report.duplicate_faces.opposite;
+    let wrong =
+        report.degenerate_faces + report.repeated_corner_faces + report.unreferenced_vertices + repeats;
+    let is_surface = report.manifold && report.consistently_oriented && report.faces > 0 && wrong == 0;
+    let expected = is_surface && faces.iter().all(|face| face.len() == 3);
+    assert_eq!(mesh.complex().is_oriented_surface(), expected, "{faces:?}");
+    expected
+}
+
+#[test]
+fn oriented_surfaces_are_told_without_edges() {
+    let mut random = Random(17);
+    let mut seen = 0;
+    for _ in 0..4000 {
+        let soup = random.soup(5, 5, 4);
+        seen += usize::from(assert_oriented_surface_is_told(
+            5,
+            &soup.iter().map(Vec::as_slice).collect::<Vec<_>>(),
+        ));
+    }
+    // Closed and open fans of few and of many corners, in any order, with one face more, less, turned, or put elsewhere.
+    for count in [2, 3, 5, 11, 12, 13, 14, 40u32] {
+        for case in 0..60 {
+            let mut fan: Vec<Vec<u32>> = (0..count).map(|i| vec![count, i, (i + 1) % count]).collect();
+            if case % 2 == 1 {
+                fan.extend((0..count).map(|i| vec![count + 1, (i + 1) % count, i]));
+            }
+            match case / 2 % 6 {
+                0 => {}
+                1 => drop(fan.remove(random.below(count as usize))),
+                2 => fan[random.below(count as usize)].reverse(),
+                3 => fan.push(vec![count, 0, count + 2]),
+                4 => fan.push(fan[0].clone()),
+                _ => fan[0][1] = count + 2,
+            }
+            let order = random.permutation(fan.len());
+            let mut fan: Vec<Vec<u32>> = order.iter().map(|&at| fan[at as usize].clone()).collect();
+            fan.iter_mut().for_each(|face| face.rotate_left(random.below(3)));
+            let used = fan.iter().flatten().max().map_or(0, |&most| most + 1);
+            let faces: Vec<&[u32]> = fan.iter().map(Vec::as_slice).collect();
+            seen += usize::from(assert_oriented_surface_is_told(used, &faces));
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}

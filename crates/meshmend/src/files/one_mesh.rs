@@ -56,6 +56,9 @@ impl FileRepair {
         watch.look("check", 0, 0).map_err(|stopped| failed(stopped.into()))?;
         let mut session = Session::begin(&file.mesh).with_watch(watch);
         let mut before = None;
+        if self.judged == Judged::Neither {
+            session = session.sparing_topology();
+        }
         if self.judged == Judged::BeforeAndAfter {
             session = session.with_figures();
             let view = View::usual_for(file.format);

@@ -31,7 +31,7 @@ pub(super) fn joined_at_places(
     let counts = mesh.counts();
     let draft = Draft {
         vertex_sources: Sources::listed(first.iter().copied().map(Some)),
-        kept_positions: Some(places.points().to_vec()),
+        kept_positions: Some(places.shared_points()),
         ..Draft::of_faces(mesh, faces, Sources::same(counts.faces), Sources::same(counts.corners))
     };
     context.check_cancelled()?;
