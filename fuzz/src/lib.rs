@@ -12,6 +12,7 @@ mod arguments;
 mod assets;
 mod compare;
 mod edits;
+mod external;
 pub mod input;
 mod intersections;
 mod kernels;
@@ -28,6 +29,7 @@ mod zip;
 pub use arguments::arguments;
 pub use assets::gltf;
 pub use edits::edit;
+pub use external::external;
 pub use intersections::intersections;
 pub use kernels::{analysis, kernels};
 pub use matrices::matrices;
@@ -54,4 +56,4 @@ macro_rules! targets {
     };
 }
 
-targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf splice intersections mending);
+targets!(obj ply stl off gltf formats sniff round_trip kernels analysis matrices repair passes plan arguments edit threemf splice intersections mending external);

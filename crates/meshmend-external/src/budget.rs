@@ -9,7 +9,7 @@ use crate::sides::PatchSides;
 use crate::spill::Spill;
 
 /// What the program takes before it reads anything, and what allocations take beyond what is asked for.
-const PROGRAM: u64 = 24 << 20;
+const PROGRAM: u64 = 28 << 20;
 
 /// What a face takes in a part while the part is looked at: its record, its corners, the sorted corners outside, the table of edges, the
 /// corners of vertices, and what duplicates are looked for with.

@@ -22,17 +22,6 @@ pub(crate) struct Tally {
     facts: ComponentFacts,
 }
 
-/// Of a component of which nothing is known yet.
-const NOTHING: ComponentFacts = ComponentFacts {
-    vertices: 0,
-    edges: 0,
-    faces: 0,
-    is_orientable: true,
-    is_closed: true,
-    is_manifold: true,
-    loops: 0,
-};
-
 /// How many numbers a record has.
 const RECORD: usize = 7;
 
@@ -43,7 +32,7 @@ impl Tally {
         let parts = budget.parts.unwrap_or(bytes.div_ceil(room / 2) as usize).max(1);
         let range = count.div_ceil(parts as u32).max(1);
         let spill = budget.spill(count.div_ceil(range).max(1) as usize)?;
-        Ok(Tally { spill, range, count, current: None, facts: NOTHING })
+        Ok(Tally { spill, range, count, current: None, facts: ComponentFacts::NOTHING })
     }
 
     /// The facts of a component so far, to add what a vertex of it, or a loop through that, adds.
@@ -68,7 +57,7 @@ impl Tally {
     fn flush(&mut self) -> Result<(), ExternalError> {
         let Some((component, vertex)) = self.current.take() else { return Ok(()) };
         let ComponentFacts { vertices, edges, faces, is_orientable, is_closed, is_manifold, loops } =
-            std::mem::replace(&mut self.facts, NOTHING);
+            std::mem::replace(&mut self.facts, ComponentFacts::NOTHING);
         let flags = u32::from(is_orientable) | u32::from(is_closed) << 1 | u32::from(is_manifold) << 2;
         let record = [component, vertex.0, vertices, edges, faces, loops, flags];
         self.spill.push((component / self.range) as usize, &record)
@@ -81,7 +70,7 @@ impl Tally {
         for part in 0..self.spill.part_count() {
             let first = part as u32 * self.range;
             let count = self.count.saturating_sub(first).min(self.range);
-            let mut all = vec![(NOTHING, VertexId(u32::MAX)); count as usize];
+            let mut all = vec![(ComponentFacts::NOTHING, VertexId(u32::MAX)); count as usize];
             // A record may lie in two blocks.
             let mut begun = Vec::new();
             self.spill.read(part, |numbers| {

@@ -11,6 +11,7 @@ use meshmend_io::ReadOptions;
 use meshmend_topology::{orientability, patches};
 
 use crate::error::ExternalError;
+use crate::part::first_not;
 use crate::places::VertexMap;
 use crate::sinks::{Rows, read_rows};
 
@@ -123,12 +124,7 @@ impl Excerpt {
     /// The edge of the excerpt with these ends.
     fn edge(&self, ends: [VertexId; 2]) -> EdgeId {
         let edges = self.mesh.complex().edges();
-        let (mut low, mut high) = (0, edges.edge_count());
-        while low < high {
-            let middle = low + (high - low) / 2;
-            if edges.ends(EdgeId::new(middle)) < ends { low = middle + 1 } else { high = middle }
-        }
-        EdgeId::new(low)
+        EdgeId::new(first_not(edges.edge_count(), |edge| edges.ends(EdgeId::new(edge)) < ends))
     }
 
     /// What shows that the patches with these lowest faces, all of which are held with what is round them, are not orientable.

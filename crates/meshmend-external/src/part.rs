@@ -92,16 +92,19 @@ impl Part {
         let own = self.own();
         let lower = |edge: usize| self.kernel.edge_ends(EdgeId::new(edge))[0].index();
         // Edges are ordered by their lower end.
-        let at = |vertex: usize| {
-            let (mut low, mut high) = (0, self.kernel.edge_count());
-            while low < high {
-                let middle = low + (high - low) / 2;
-                if lower(middle) < vertex { low = middle + 1 } else { high = middle }
-            }
-            low
-        };
+        let at = |vertex: usize| first_not(self.kernel.edge_count(), |edge| lower(edge) < vertex);
         (at(own.start)..at(own.end)).map(EdgeId::new)
     }
+}
+
+/// The first of so many places at which something does not hold that holds up to there.
+pub(crate) fn first_not(count: usize, holds: impl Fn(usize) -> bool) -> usize {
+    let (mut low, mut high) = (0, count);
+    while low < high {
+        let middle = low + (high - low) / 2;
+        if holds(middle) { low = middle + 1 } else { high = middle }
+    }
+    low
 }
 
 /// Numbers the vertices anew: those below the range, then the whole range, then those beyond it. Returns the first and the last.

@@ -28,6 +28,17 @@ pub struct ComponentFacts {
 }
 
 impl ComponentFacts {
+    /// Those of a component of which nothing is known yet: each element adds to them.
+    pub const NOTHING: ComponentFacts = ComponentFacts {
+        vertices: 0,
+        edges: 0,
+        faces: 0,
+        is_orientable: true,
+        is_closed: true,
+        is_manifold: true,
+        loops: 0,
+    };
+
     /// V − E + F.
     pub fn euler_characteristic(&self) -> i64 {
         i64::from(self.vertices) - i64::from(self.edges) + i64::from(self.faces)
@@ -84,16 +95,7 @@ pub fn component_facts<K: Connectivity>(
     vertex_classes: &Column<VertexId, VertexClass>,
     loops: &BoundaryLoops,
 ) -> Column<ComponentId, ComponentFacts> {
-    let nothing = ComponentFacts {
-        vertices: 0,
-        edges: 0,
-        faces: 0,
-        is_orientable: true,
-        is_closed: true,
-        is_manifold: true,
-        loops: 0,
-    };
-    let mut facts = Column::filled(nothing, components.count());
+    let mut facts = Column::filled(ComponentFacts::NOTHING, components.count());
     for (vertex, class) in vertex_classes.iter() {
         if let Some(component) = components.of_vertex(vertex) {
             facts[component].vertices += 1;
