@@ -87,6 +87,7 @@ fn least(command: &Command, but: &Arg) -> Vec<String> {
     match (command.get_name(), but.get_id().as_str()) {
         ("matrix", "walks") => words.extend(["--from", "v0"].map(str::to_owned)),
         ("batch", "retry") => words.push("--resume".to_owned()),
+        ("check", "spill") => words.extend(["--memory", "1GiB"].map(str::to_owned)),
         ("matrix", "from") => words.extend(["--walks", "3"].map(str::to_owned)),
         ("pointers", "at" | "all" | "permutations") => {}
         ("pointers", _) => words.extend(["--at", "v0"].map(str::to_owned)),

@@ -81,10 +81,11 @@ pub struct ExternalCheck {
 ///
 /// # Errors
 /// When the file can't be read row by row, the disk is full, or the memory is less than the mesh takes: 4.3 bytes a face, or 4.5
-/// a vertex.
+/// a vertex, and 36 MiB.
 ///
-/// *Cost*: the faces of the file are read twice, once more where patches are not orientable, and its positions three times, and each face written once for each part in which it has a vertex, as 16 bytes; a welded
-/// view writes 16 bytes a vertex (28 in double precision) besides. Sorting, else near-linear time.
+/// *Cost*: the faces of the file are read twice, once more where patches are not orientable, and its positions three times. Each
+/// face is written once for each part in which it has a vertex, as 16 bytes; a position takes 16 bytes (28 in double precision).
+/// Sorting, else near-linear time.
 pub fn external_check(path: &Path, options: &ExternalOptions) -> Result<ExternalCheck, ExternalError> {
     let ExternalOptions { memory, folder, is_welded, limit, read, parts } = options;
     let budget = Budget { memory: *memory, folder, parts: *parts };

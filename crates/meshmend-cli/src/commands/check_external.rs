@@ -24,7 +24,7 @@ pub(crate) struct MemoryWords {
     #[cfg_attr(feature = "report", arg(conflicts_with = "html"))]
     pub(super) memory: Option<u64>,
     /// The folder for what does not fit the memory; by default that of the system for temporary files
-    #[arg(long, value_name = "FOLDER", requires = "memory")]
+    #[arg(long, value_name = "DIR", requires = "memory")]
     spill: Option<PathBuf>,
 }
 
