@@ -91,7 +91,8 @@ impl Worker {
 
 /// Answers a job, with the bytes of the result if they were asked for.
 fn answer(id: u64, row: Row, bytes: Option<Vec<u8>>, console: &mut Console<'_>) -> Result<(), Failure> {
-    let line = super::checked_file::json_line(&Answer { id, row, bytes: bytes.as_ref().map(|it| it.len() as u64) })?;
+    let line =
+        super::checked_file::json_line(&Answer { id, row, bytes: bytes.as_ref().map(|it| it.len() as u64) })?;
     let sent = console.send(|out| {
         out.write_all(line.as_bytes())?;
         out.write_all(bytes.as_deref().unwrap_or_default())?;
